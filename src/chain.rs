@@ -1,0 +1,113 @@
+//! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
+use crate::law::{Contact, Gap, Kernel, LawError, Mark, Meta, Setup, Stage, Terms};
+use crate::laws::find;
+
+struct Link {
+    meta: &'static Meta,
+    kernel: Box<dyn Kernel>,
+    slots: std::ops::Range<usize>,
+}
+
+/// What the chain does to LIGGGHTS's contact flags; bit `1 << kind`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Marks {
+    /// Bits to set.
+    pub set: i32,
+    /// Bits to clear.
+    pub clear: i32,
+}
+
+/// Laws of different kinds, prepared.
+pub struct Chain {
+    links: Vec<Link>,
+    types: usize,
+    row: usize,
+}
+
+impl Chain {
+    /// Prepare laws; `offsets[k]` is where the history of `setups[k]` begins in a contact's row of history.
+    /// The laws run in the order given, which should be that of [`crate::law::Kind::ALL`].
+    ///
+    /// # Errors
+    /// The first thing that a law refuses.
+    pub fn new(setups: &[Setup], offsets: &[usize]) -> Result<Chain, LawError> {
+        let mut links = Vec::with_capacity(setups.len());
+        for (setup, at) in setups.iter().zip(offsets) {
+            let meta = setup.meta;
+            let kernel = find(meta.kind, meta.keyword).expect("a law of LAWS").prepare(setup)?;
+            links.push(Link { meta, kernel, slots: *at..at + meta.slots.len() });
+        }
+        let row = links.iter().map(|l| l.slots.end).max().unwrap_or(0);
+        Ok(Chain { links, types: setups.first().map_or(0, |s| s.values.types), row })
+    }
+
+    /// Laws whose histories lie one behind the other from slot 0.
+    ///
+    /// # Errors
+    /// As [`Chain::new`].
+    pub fn packed(setups: &[Setup]) -> Result<Chain, LawError> {
+        let mut at = 0;
+        let mut place = |s: &Setup| {
+            let begin = at;
+            at += s.meta.slots.len();
+            begin
+        };
+        let offsets: Vec<_> = setups.iter().map(&mut place).collect();
+        Chain::new(setups, &offsets)
+    }
+
+    /// The laws, in order.
+    pub fn laws(&self) -> impl Iterator<Item = &'static Meta> + '_ {
+        self.links.iter().map(|l| l.meta)
+    }
+
+    /// Number of atom types.
+    pub fn types(&self) -> usize {
+        self.types
+    }
+
+    /// The length that a row of history must have at least.
+    pub fn row(&self) -> usize {
+        self.row
+    }
+
+    /// The surfaces overlap. `types` are the atom types counted from 0, `h` is the contact's row of history; what
+    /// `s` holds already is kept and added to.
+    pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Marks {
+        let pair = types.0 * self.types + types.1;
+        self.run(h, s, |kernel, h, s| kernel.touch(pair, x, h, s))
+    }
+
+    /// They do not.
+    pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Marks {
+        let pair = types.0 * self.types + types.1;
+        self.run(h, s, |kernel, h, s| kernel.apart(pair, x, h, s))
+    }
+
+    #[inline]
+    fn run(
+        &mut self,
+        h: &mut [f64],
+        s: &mut Stage,
+        mut each: impl FnMut(&mut dyn Kernel, &mut [f64], &mut Stage),
+    ) -> Marks {
+        let mut marks = Marks::default();
+        for link in &mut self.links {
+            s.mark = Mark::Leave;
+            each(link.kernel.as_mut(), &mut h[link.slots.clone()], s);
+            let bit = 1 << link.meta.kind as i32;
+            match s.mark {
+                Mark::Set => marks.set |= bit,
+                Mark::Clear => marks.clear |= bit,
+                Mark::Leave => {}
+            }
+        }
+        marks
+    }
+
+    /// What each law can tell of the contact before it is evaluated.
+    pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Vec<Terms> {
+        let pair = types.0 * self.types + types.1;
+        self.links.iter_mut().map(|l| l.kernel.observe(pair, x, &h[l.slots.clone()])).collect()
+    }
+}

@@ -1,0 +1,211 @@
+//! What a law sees of a contact, and what it answers. SI units.
+use crate::lane::{dot, zero, Lane};
+use nalgebra::Vector3;
+
+/// The circumstances of one evaluation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Call {
+    /// Time step \[s\].
+    pub dt: f64,
+    /// Number of the step.
+    pub step: i64,
+    /// Whether history may be written (LIGGGHTS: `computeflag && shearupdate`).
+    pub update: bool,
+    /// Whether j is a wall.
+    pub is_wall: bool,
+}
+
+/// One partner of a contact. A wall has radius 0, mass 0, no spin and a negative tag.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// The particle's number, the same on every rank.
+    pub tag: i64,
+    /// Radius \[m\].
+    pub radius: f64,
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Position \[m\]; of a wall, the contact point.
+    pub x: Vector3<f64>,
+    /// Velocity \[m/s\].
+    pub v: Vector3<f64>,
+    /// Spin \[rad/s\].
+    pub omega: Vector3<f64>,
+}
+
+impl Default for Body {
+    fn default() -> Body {
+        Body { tag: 0, radius: 0.0, mass: 0.0, x: zero(), v: zero(), omega: zero() }
+    }
+}
+
+/// Two bodies near each other, whether or not they touch.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gap {
+    /// The circumstances.
+    pub call: Call,
+    /// The particle that the force is reported for.
+    pub i: Body,
+    /// Its partner.
+    pub j: Body,
+    /// From j to i \[m\]; from the wall's contact point to i.
+    pub delta: Vector3<f64>,
+    /// `|delta|²` \[m²\].
+    pub rsq: f64,
+    /// Effective mass m* \[kg\]; a frozen partner or a wall counts as infinitely heavy.
+    pub meff: f64,
+}
+
+/// What the surface model makes of two overlapping spheres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface<L = f64> {
+    /// Overlap δ \[m\], not negative.
+    pub deltan: L,
+    /// Normal relative velocity \[m/s\], negative while approaching.
+    pub vn: L,
+    /// Unit normal, from j to i.
+    pub en: Vector3<L>,
+    /// Tangential relative velocity at the contact \[m/s\].
+    pub vtr: Vector3<L>,
+    /// What rolls \[rad/s\]: ω_i − ω_j of a pair; of a wall, LIGGGHTS's `wr`, which is ω_i times (R − δ/2)/r.
+    pub roll: Vector3<L>,
+    /// Distance from the centre of i to the contact \[m\].
+    pub cri: L,
+    /// Distance from the centre of j to the contact \[m\]; 0 for a wall.
+    pub crj: L,
+}
+
+impl Default for Surface {
+    fn default() -> Surface {
+        Surface { deltan: 0.0, vn: 0.0, en: zero(), vtr: zero(), roll: zero(), cri: 0.0, crj: 0.0 }
+    }
+}
+
+/// Two bodies in contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Contact {
+    /// The bodies.
+    pub gap: Gap,
+    /// Their surfaces.
+    pub surface: Surface,
+}
+
+impl Contact {
+    /// Two spheres by LIGGGHTS's default surface model, with its operations in its order.
+    pub fn pair(gap: Gap) -> Contact {
+        let r = gap.rsq.sqrt();
+        let rinv = 1.0 / r;
+        let deltan = gap.i.radius + gap.j.radius - r;
+        let (cri, crj) = (gap.i.radius - 0.5 * deltan, gap.j.radius - 0.5 * deltan);
+        let spin = (gap.i.omega * cri + gap.j.omega * crj) * rinv;
+        Contact::seen(
+            gap,
+            rinv,
+            spin,
+            Surface { deltan, cri, crj, roll: gap.i.omega - gap.j.omega, ..Surface::default() },
+        )
+    }
+
+    /// A sphere on a wall by the same model; `deltan` is the overlap that the wall found \[m\].
+    pub fn wall(gap: Gap, deltan: f64) -> Contact {
+        let r = gap.i.radius - deltan;
+        let rinv = 1.0 / r;
+        let cri = gap.i.radius - 0.5 * deltan;
+        let spin = gap.i.omega * cri * rinv;
+        Contact::seen(
+            gap,
+            rinv,
+            spin,
+            Surface { deltan: gap.i.radius - r, cri, roll: spin, ..Surface::default() },
+        )
+    }
+
+    fn seen(gap: Gap, rinv: f64, spin: Vector3<f64>, mut surface: Surface) -> Contact {
+        let v = gap.i.v - gap.j.v;
+        surface.en = gap.delta * rinv;
+        surface.vn = dot(&v, &surface.en);
+        surface.vtr = (v - surface.en * surface.vn) - spin.cross(&gap.delta);
+        Contact { gap, surface }
+    }
+}
+
+/// What sizes and masses are, which is all that a law may prepare from before it sees the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Radius of i \[m\].
+    pub radi: f64,
+    /// Radius of j \[m\]; ignored for a wall.
+    pub radj: f64,
+    /// Effective mass m* \[kg\].
+    pub meff: f64,
+    /// Whether j is a wall.
+    pub is_wall: bool,
+}
+
+impl Size {
+    /// Effective radius R* \[m\]; a wall is flat.
+    pub fn reff(&self) -> f64 {
+        if self.is_wall {
+            self.radi
+        } else {
+            self.radi * self.radj / (self.radi + self.radj)
+        }
+    }
+}
+
+/// What a law does to the flag by which LIGGGHTS keeps a pair's history across a neighbour rebuild.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mark {
+    /// Sets it: the history is to be kept.
+    Set,
+    /// Clears it.
+    Clear,
+    /// Leaves it as it is.
+    #[default]
+    Leave,
+}
+
+/// What is handed along the chain: each law reads what the ones before it left, and adds its share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage<L = f64> {
+    /// Normal force \[N\], positive when it pushes apart.
+    pub fn_: L,
+    /// Normal stiffness kn \[N/m\].
+    pub kn: L,
+    /// Tangential stiffness kt \[N/m\].
+    pub kt: L,
+    /// Normal damping γn \[N s/m\].
+    pub gamman: L,
+    /// Tangential damping γt \[N s/m\].
+    pub gammat: L,
+    /// Force on i so far \[N\]; j gets the opposite.
+    pub force: Vector3<L>,
+    /// Torque on i so far \[N m\].
+    pub torque_i: Vector3<L>,
+    /// Torque on j so far \[N m\].
+    pub torque_j: Vector3<L>,
+    /// What the law that ran last does to the contact flag.
+    pub mark: Mark,
+}
+
+impl<L: Lane> Default for Stage<L> {
+    fn default() -> Stage<L> {
+        let o = L::splat(0.0);
+        let (force, torque_i, torque_j) = (zero(), zero(), zero());
+        Stage { fn_: o, kn: o, kt: o, gamman: o, gammat: o, force, torque_i, torque_j, mark: Mark::Leave }
+    }
+}
+
+/// What a law can tell a study about one contact, so that no study describes a law a second time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Terms {
+    /// The branch that holds, a fixed word of the law.
+    pub branch: &'static str,
+    /// Tangent stiffness of the degree of freedom that the law acts on \[N/m\]; \[N m/rad\] for a rolling law.
+    pub stiffness: f64,
+    /// Its damping \[N s/m\] or \[N m s/rad\].
+    pub damping: f64,
+    /// Energy that the law could give back \[J\].
+    pub stored: f64,
+    /// Power that it takes out of the motion now \[W\].
+    pub dissipated: f64,
+}

@@ -1,0 +1,318 @@
+//! What a law says of itself; the plugin, the command line, the reports and the universal tests read only this.
+use std::fmt;
+
+/// The four kinds of law, in the order in which LIGGGHTS runs them over a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// Normal force; also hands on the stiffnesses and dampings.
+    Normal,
+    /// Cohesion and bonds.
+    Cohesion,
+    /// Tangential force (friction).
+    Tangential,
+    /// Rolling resistance.
+    Rolling,
+}
+
+impl Kind {
+    /// All kinds in LIGGGHTS's order.
+    pub const ALL: [Kind; 4] = [Kind::Normal, Kind::Cohesion, Kind::Tangential, Kind::Rolling];
+
+    /// The word that selects a law of this kind in a deck.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            Kind::Normal => "model",
+            Kind::Cohesion => "cohesion",
+            Kind::Tangential => "tangential",
+            Kind::Rolling => "rolling_friction",
+        }
+    }
+
+    /// The word for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Normal => "normal",
+            Kind::Cohesion => "cohesion",
+            Kind::Tangential => "tangential",
+            Kind::Rolling => "rolling",
+        }
+    }
+}
+
+/// A unit with the powers of its dimensions, so that a law can be tested in other units than it was written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// How it is written.
+    pub label: &'static str,
+    /// Power of length.
+    pub m: i8,
+    /// Power of mass.
+    pub kg: i8,
+    /// Power of time.
+    pub s: i8,
+}
+
+impl Unit {
+    /// A pure number.
+    pub const ONE: Unit = Unit { label: "1", m: 0, kg: 0, s: 0 };
+    /// Length.
+    pub const M: Unit = Unit { label: "m", m: 1, kg: 0, s: 0 };
+    /// Velocity.
+    pub const M_PER_S: Unit = Unit { label: "m/s", m: 1, kg: 0, s: -1 };
+    /// Stress, modulus.
+    pub const PA: Unit = Unit { label: "Pa", m: -1, kg: 1, s: -2 };
+    /// Dynamic viscosity.
+    pub const PA_S: Unit = Unit { label: "Pa s", m: -1, kg: 1, s: -1 };
+}
+
+/// The values that a property may take; outside, the set-up is refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lower end.
+    pub lo: f64,
+    /// Upper end.
+    pub hi: f64,
+    /// Whether `lo` itself is outside.
+    pub open_lo: bool,
+    /// Whether `hi` itself is outside.
+    pub open_hi: bool,
+}
+
+impl Range {
+    /// `[lo, ∞)`.
+    pub const fn at_least(lo: f64) -> Range {
+        Range { lo, hi: f64::INFINITY, open_lo: false, open_hi: true }
+    }
+    /// `(lo, ∞)`.
+    pub const fn above(lo: f64) -> Range {
+        Range { lo, hi: f64::INFINITY, open_lo: true, open_hi: true }
+    }
+    /// `[lo, hi]`.
+    pub const fn within(lo: f64, hi: f64) -> Range {
+        Range { lo, hi, open_lo: false, open_hi: false }
+    }
+    /// `(lo, hi]`.
+    pub const fn above_to(lo: f64, hi: f64) -> Range {
+        Range { lo, hi, open_lo: true, open_hi: false }
+    }
+    /// Whether `x` is allowed; NaN and infinities never are.
+    pub fn contains(&self, x: f64) -> bool {
+        let low = if self.open_lo { x > self.lo } else { x >= self.lo };
+        let high = if self.open_hi { x < self.hi } else { x <= self.hi };
+        x.is_finite() && low && high
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.lo.is_finite(), self.hi.is_finite()) {
+            (true, false) => write!(f, "{} {}", if self.open_lo { "above" } else { "at least" }, self.lo),
+            _ => {
+                let (l, r) = (if self.open_lo { '(' } else { '[' }, if self.open_hi { ')' } else { ']' });
+                write!(f, "within {l}{}, {}{r}", self.lo, self.hi)
+            }
+        }
+    }
+}
+
+/// For how many types a property is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// One number per atom type.
+    PerType,
+    /// One number per pair of atom types.
+    PerPair,
+}
+
+impl Shape {
+    /// The word in `fix property/global`.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            Shape::Scalar => "scalar",
+            Shape::PerType => "peratomtype",
+            Shape::PerPair => "peratomtypepair",
+        }
+    }
+    /// How many numbers that is for `n` types.
+    pub fn len(self, n: usize) -> usize {
+        match self {
+            Shape::Scalar => 1,
+            Shape::PerType => n,
+            Shape::PerPair => n * n,
+        }
+    }
+}
+
+/// When a property must be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// Always.
+    Always,
+    /// Only when this setting is at this option.
+    When(&'static str, &'static str),
+    /// Unless this setting is at this option.
+    Unless(&'static str, &'static str),
+}
+
+/// A material property.
+#[derive(Clone, Copy, Debug)]
+pub struct Prop {
+    /// The name in `fix property/global`.
+    pub name: &'static str,
+    /// The usual symbol.
+    pub symbol: &'static str,
+    /// For how many types it is given.
+    pub shape: Shape,
+    /// Its unit.
+    pub unit: Unit,
+    /// The values that are allowed.
+    pub range: Range,
+    /// The values that people use; for tables and for tests, never a reason to refuse.
+    pub usual: (f64, f64),
+    /// When it must be given.
+    pub need: Need,
+    /// What it is.
+    pub doc: &'static str,
+}
+
+/// How far a setting is ours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// Does the same under our name and under the stock name.
+    Full,
+    /// Ours alone: not offered where the law has taken over a stock name.
+    OwnOnly,
+    /// Works under our name; the stock law reads it and ignores it, so the taken-over law does too and says so.
+    StockIgnores,
+    /// Known to LIGGGHTS, not done here: refused when it is switched on.
+    Refused,
+}
+
+/// A setting: a word in the deck followed by one of its options.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The word.
+    pub name: &'static str,
+    /// The options; the first is what `off` would be.
+    pub options: &'static [&'static str],
+    /// The option that holds when the deck says nothing; `None` where the deck must choose.
+    pub default: Option<&'static str>,
+    /// How far it is ours.
+    pub support: Support,
+    /// What it does, or why it is refused.
+    pub doc: &'static str,
+}
+
+impl Setting {
+    /// A switch that is off unless the deck says otherwise.
+    pub const fn off(name: &'static str, support: Support, doc: &'static str) -> Setting {
+        Setting { name, options: &["off", "on"], default: Some("off"), support, doc }
+    }
+    /// A switch that is on unless the deck says otherwise.
+    pub const fn on(name: &'static str, support: Support, doc: &'static str) -> Setting {
+        Setting { name, options: &["off", "on"], default: Some("on"), support, doc }
+    }
+    /// The index of an option.
+    pub fn index(&self, option: &str) -> Option<usize> {
+        self.options.iter().position(|o| *o == option)
+    }
+}
+
+/// What happens to a history slot when i and j change places.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Newton {
+    /// It stays (LIGGGHTS's newton flag 0).
+    Even,
+    /// It changes sign (newton flag 1).
+    Odd,
+}
+
+/// One number of contact history.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot {
+    /// The name under which LIGGGHTS keeps it.
+    pub name: &'static str,
+    /// What a swap of i and j does to it.
+    pub newton: Newton,
+    /// Its unit.
+    pub unit: Unit,
+}
+
+/// How far a law acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// Only while surfaces overlap.
+    Overlap,
+    /// Also across a gap.
+    Beyond,
+}
+
+/// The universal rules that a law may break if it says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// History is written only when LIGGGHTS says so.
+    QueryLeavesHistory,
+    /// Separation clears the history.
+    ApartClearsHistory,
+    /// No force jumps while the inputs change continuously.
+    Continuous,
+    /// A closed cycle returns no more energy than it took.
+    CycleDissipates,
+    /// Reversing the approach speed changes the sign of the damping force only.
+    DampingOdd,
+}
+
+/// A rule that the law breaks, and why.
+#[derive(Clone, Copy, Debug)]
+pub struct Exception {
+    /// The rule.
+    pub rule: Rule,
+    /// Where, and why it stays so.
+    pub why: &'static str,
+}
+
+/// Everything that a law says of itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Meta {
+    /// Its kind.
+    pub kind: Kind,
+    /// Its name in LIGGGHTS; in a deck our law is `<keyword>/rs`.
+    pub keyword: &'static str,
+    /// The number under which the plugin registers `<keyword>/rs`: 48 to 63, unique among the laws of a kind.
+    pub id: u8,
+    /// The number of LIGGGHTS's own law of that name, if it has one: below 16.
+    pub stock_id: Option<u8>,
+    /// One line for people.
+    pub summary: &'static str,
+    /// The properties, in the order in which values are handed over.
+    pub props: &'static [Prop],
+    /// The settings, in the order in which options are handed over.
+    pub settings: &'static [Setting],
+    /// The history, in the order in which it lies in memory.
+    pub slots: &'static [Slot],
+    /// Exponent n of F ∝ δⁿ, which LIGGGHTS asks of a normal law; 0 for the others.
+    pub stress_strain_exponent: f64,
+    /// How far it acts.
+    pub reach: Reach,
+    /// Where it comes from.
+    pub references: &'static [&'static str],
+    /// The universal rules that it breaks.
+    pub exceptions: &'static [Exception],
+}
+
+impl Meta {
+    /// The exception to a rule, if there is one.
+    pub fn exception(&self, rule: Rule) -> Option<&'static Exception> {
+        self.exceptions.iter().find(|e| e.rule == rule)
+    }
+    /// The name in messages: with `/rs` unless it stands in for the stock law.
+    pub fn called(&self, taken_over: bool) -> String {
+        if taken_over {
+            self.keyword.to_string()
+        } else {
+            format!("{}/rs", self.keyword)
+        }
+    }
+}

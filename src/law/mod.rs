@@ -1,0 +1,61 @@
+//! The one abstraction: what a contact law is.
+//!
+//! A law describes itself in its [`Meta`], refuses impossible set-ups in [`Law::coeffs`], and is from there on a pure
+//! function of coefficients, contact and history. Read `laws/hooke.rs` next.
+mod contact;
+mod kernel;
+mod meta;
+mod setup;
+
+pub use contact::{Body, Call, Contact, Gap, Mark, Size, Stage, Surface, Terms};
+pub use kernel::{entry, Entry, Kernel};
+pub use meta::{
+    Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot, Support, Unit,
+};
+pub use setup::{LawError, Pair, Settings, Setup, Values};
+
+use crate::lane::Lane;
+use bytemuck::Pod;
+
+/// A contact law. Its file holds all of it; a line in `laws::LAWS` makes it known everywhere.
+pub trait Law: 'static {
+    /// What the law says of itself.
+    const META: Meta;
+    /// Contact history: as many `f64` as `META.slots`, in that order.
+    type History: Pod;
+    /// What a pair of atom types decides.
+    type Coeffs: Copy + Send;
+    /// What remains once radii and masses are known; reused as long as they stay the same.
+    type Fit: Copy + Send;
+
+    /// Mix the properties of a type pair, once per run. Ranges and missing values are already checked.
+    ///
+    /// # Errors
+    /// Combinations that make no sense.
+    fn coeffs(pair: &Pair<'_>) -> Result<Self::Coeffs, LawError>;
+    /// Fit the coefficients to two sizes.
+    fn fit(c: &Self::Coeffs, size: &Size) -> Self::Fit;
+    /// The surfaces overlap.
+    fn touch(f: &Self::Fit, x: &Contact, h: &mut Self::History, s: &mut Stage);
+    /// They do not. A law with [`Reach::Beyond`] may still answer with a force.
+    fn apart(f: &Self::Fit, x: &Gap, h: &mut Self::History, s: &mut Stage);
+    /// What a study wants to know of the contact, before `touch` is called on it.
+    fn observe(f: &Self::Fit, x: &Contact, h: &Self::History) -> Terms;
+}
+
+/// A law whose hot function runs on several contacts at once. Its [`Law::touch`] is the one-lane instance.
+pub trait LaneLaw: Law {
+    /// [`Law::Fit`], one per lane.
+    type FitOf<L: Lane>: Copy;
+    /// [`Law::History`], one per lane.
+    type HistoryOf<L: Lane>: Copy;
+
+    /// The hot function: `call` is the same for all lanes.
+    fn touch_lanes<L: Lane>(
+        f: &Self::FitOf<L>,
+        call: &Call,
+        x: &Surface<L>,
+        h: &mut Self::HistoryOf<L>,
+        s: &mut Stage<L>,
+    );
+}

@@ -1,0 +1,52 @@
+//! What several laws share. Operations stand in LIGGGHTS's order, so that the same numbers come out to the last bit.
+use crate::law::{Pair, Size};
+use std::f64::consts::PI;
+
+/// Effective Young's modulus E* \[Pa\]: `1/E* = (1−νi²)/Ei + (1−νj²)/Ej`.
+pub fn effective_young(pair: &Pair<'_>) -> f64 {
+    let ((ei, ej), (ni, nj)) = (pair.both("youngsModulus"), pair.both("poissonsRatio"));
+    1.0 / ((1.0 - ni * ni) / ei + (1.0 - nj * nj) / ej)
+}
+
+/// Effective shear modulus G* \[Pa\]: `1/G* = 2(2−νi)(1+νi)/Ei + 2(2−νj)(1+νj)/Ej`.
+pub fn effective_shear(pair: &Pair<'_>) -> f64 {
+    let ((ei, ej), (ni, nj)) = (pair.both("youngsModulus"), pair.both("poissonsRatio"));
+    1.0 / (2.0 * (2.0 - ni) * (1.0 + ni) / ei + 2.0 * (2.0 - nj) * (1.0 + nj) / ej)
+}
+
+/// Stiffness of the linear spring \[N/m\] that is as deep as a Hertz contact at the characteristic velocity vc \[m/s\]:
+/// `16/15 √R* E* (15 m* vc² / (16 √R* E*))^(1/5)`.
+pub fn hooke_stiffness(yeff: f64, reff: f64, meff: f64, vc: f64) -> f64 {
+    let root = reff.sqrt();
+    16.0 / 15.0 * root * yeff * (15.0 * meff * vc * vc / (16.0 * root * yeff)).powf(0.2)
+}
+
+/// What `viscous on` needs to turn a normal velocity into ln e.
+#[derive(Clone, Copy, Debug)]
+pub struct Viscous {
+    mu: f64,
+    log_e_max: f64,
+    stokes_critical: f64,
+    abs: bool,
+}
+
+impl Viscous {
+    /// The coefficients of a type pair, if the setting is on.
+    pub fn new(pair: &Pair<'_>) -> Option<Viscous> {
+        pair.on("viscous").then(|| Viscous {
+            mu: pair.get("FluidViscosity"),
+            log_e_max: pair.get("MaximumRestitution").ln(),
+            stokes_critical: pair.get("CriticalStokes"),
+            abs: pair.on("viscousAbs"),
+        })
+    }
+
+    /// `ln e = ln e_max + St_c/St` with `St = m* v_n/(6π μ_f R*²)` (Legendre et al. 2006, Schmeeckle et al. 2001).
+    /// Infinite at v_n = 0. Signed as LIGGGHTS has it, unless `viscousAbs on`.
+    pub fn log_restitution(&self, size: &Size, vn: f64) -> f64 {
+        let reff = size.reff();
+        let stokes = size.meff * vn / (6.0 * PI * self.mu * reff * reff);
+        let stokes = if self.abs { stokes.abs() } else { stokes };
+        self.log_e_max + self.stokes_critical / stokes
+    }
+}

@@ -1,0 +1,152 @@
+//! Hertz contact with a dashpot whose restitution does not depend on the impact speed; Mindlin's tangential stiffness.
+//!
+//! | symbol | unit | |
+//! |---|---|---|
+//! | δ, v_n | m, m/s | overlap, normal relative velocity (negative while approaching) |
+//! | E*, G*, R*, m* | Pa, Pa, m, kg | effective moduli, radius, mass |
+//!
+//! - (E1) `Sn = 2 E* √(R*δ)`, `St = 8 G* √(R*δ)`
+//! - (E2) `kn = 4/3 E* √(R*δ)`, `kt = St` (secant stiffnesses)
+//! - (E3) `β = ln e/√(ln²e + π²)`, `γn = −2 √(5/6) β √(Sn m*)`, `γt = −2 √(5/6) β √(St m*)` or 0
+//! - (E4) `Fn = kn δ − γn v_n`; `limitForce on`: `max(Fn, 0)`
+//!
+//! Limits: small overlaps of smooth elastic spheres. kt follows the overlap, so a shear history that is loaded at a
+//! small overlap and unloaded at a large one returns more work than it took.
+use super::formulas::{effective_shear, effective_young};
+use super::prop;
+use crate::lane::Lane;
+use crate::law::*;
+use std::f64::consts::PI;
+
+/// The law.
+pub struct Hertz;
+
+/// What a pair of types decides.
+#[derive(Clone, Copy, Debug)]
+pub struct Coeffs {
+    yeff: f64,
+    geff: f64,
+    beta: f64,
+    tangential_damping: bool,
+    limit_force: bool,
+    nktv2p: f64,
+}
+
+/// What two sizes decide.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit<L = f64> {
+    reff: L,
+    meff: L,
+    yeff: L,
+    geff: L,
+    beta: L,
+    nktv2p: L,
+    tangential_damping: bool,
+    limit_force: bool,
+}
+
+const SQRT_5_6: f64 = 0.912_870_929_175_276_9;
+
+impl Law for Hertz {
+    const META: Meta = Meta {
+        kind: Kind::Normal,
+        keyword: "hertz",
+        id: 51,
+        stock_id: Some(3),
+        summary: "Hertz contact with dashpot, Mindlin tangential stiffness",
+        props: &[prop::YOUNG, prop::POISSON, prop::RESTITUTION],
+        settings: &[
+            prop::TANGENTIAL_DAMPING,
+            prop::LIMIT_FORCE,
+            prop::refused("heating_normal_hertz", "contacts do not produce heat"),
+            prop::HEATING_TRACKING,
+            prop::ELASTIC_POTENTIAL,
+            prop::DISSIPATED_ENERGY,
+            prop::DISABLE_WHEN_BONDED,
+        ],
+        slots: &[],
+        stress_strain_exponent: 1.5,
+        reach: Reach::Overlap,
+        references: &[
+            "H. Hertz, J. reine angew. Math. 92 (1882) 156",
+            "Y. Tsuji, T. Tanaka, T. Ishida, Powder Technology 71 (1992) 239",
+            "R.D. Mindlin, J. Appl. Mech. 16 (1949) 259",
+        ],
+        exceptions: &[Exception {
+            rule: Rule::CycleDissipates,
+            why: "kt follows the overlap, so shear loaded shallow and unloaded deep returns work (with a shear history)",
+        }],
+    };
+    type History = [f64; 0];
+    type Coeffs = Coeffs;
+    type Fit = Fit;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        let log_e = p.get("coefficientRestitution").ln();
+        Ok(Coeffs {
+            yeff: effective_young(p),
+            geff: effective_shear(p),
+            beta: log_e / (log_e * log_e + PI * PI).sqrt(),
+            tangential_damping: p.on("tangential_damping"),
+            limit_force: p.on("limitForce"),
+            nktv2p: p.nktv2p(),
+        })
+    }
+
+    fn fit(c: &Coeffs, size: &Size) -> Fit {
+        Fit {
+            reff: size.reff(),
+            meff: size.meff,
+            yeff: c.yeff,
+            geff: c.geff,
+            beta: c.beta,
+            nktv2p: c.nktv2p,
+            tangential_damping: c.tangential_damping,
+            limit_force: c.limit_force,
+        }
+    }
+
+    fn touch(f: &Fit, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
+        Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
+    }
+
+    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+        s.mark = Mark::Set; // As LIGGGHTS, which sets the flag where it would be expected to clear it.
+    }
+
+    fn observe(f: &Fit, x: &Contact, _: &[f64; 0]) -> Terms {
+        let root = (f.reff * x.surface.deltan).sqrt();
+        let secant = 4.0 / 3.0 * f.yeff * root / f.nktv2p;
+        let damping = -2.0 * SQRT_5_6 * f.beta * (2.0 * f.yeff * root * f.meff).sqrt();
+        Terms {
+            branch: "elastic",
+            stiffness: 1.5 * secant,
+            damping,
+            stored: 0.4 * secant * x.surface.deltan * x.surface.deltan,
+            dissipated: damping * x.surface.vn * x.surface.vn,
+        }
+    }
+}
+
+impl LaneLaw for Hertz {
+    type FitOf<L: Lane> = Fit<L>;
+    type HistoryOf<L: Lane> = [L; 0];
+
+    #[inline]
+    fn touch_lanes<L: Lane>(f: &Fit<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+        let root = (f.reff * x.deltan).sqrt();
+        let (sn, st) = (L::splat(2.0) * f.yeff * root, L::splat(8.0) * f.geff * root); // (E1)
+        let (kn, kt) = (L::splat(4.0 / 3.0) * f.yeff * root / f.nktv2p, st / f.nktv2p); // (E2)
+        let damper = L::splat(-2.0 * SQRT_5_6) * f.beta; // (E3)
+        let gamman = damper * (sn * f.meff).sqrt();
+        let gammat = if f.tangential_damping { damper * (st * f.meff).sqrt() } else { L::splat(0.0) };
+        let mut fn_ = -gamman * x.vn + kn * x.deltan; // (E4)
+        if f.limit_force {
+            let zero = L::splat(0.0);
+            fn_ = L::select(zero.gt(fn_), zero, fn_);
+        }
+        (s.fn_, s.kn, s.kt, s.gamman, s.gammat) = (fn_, kn, kt, gamman, gammat);
+        s.force += x.en * fn_;
+        s.mark = Mark::Set;
+    }
+}

@@ -1,0 +1,290 @@
+//! Luding's piecewise-linear elasto-plastic adhesive law.
+//!
+//! Loading follows a soft line kn, unloading and reloading a stiffer one k2 that grows with the largest overlap δmax
+//! up to a plastic limit; on the way out the contact adheres along −kc δ.
+//!
+//! | symbol | unit | |
+//! |---|---|---|
+//! | δ, δmax | m | overlap, largest overlap so far (history) |
+//! | v_n | m/s | normal relative velocity, negative while approaching |
+//! | kn, k2, k2max, kc | N/m | loading, unloading, stiffest unloading, adhesion |
+//! | φF | 1 | plasticity depth |
+//!
+//! Equation numbers are those of the formula sheet for LIGGGHTS's law (Open DEM Japan, 2025):
+//! - (1) `kn = 16/15 √R* E* (15 m* vc²/(16 √R* E*))^(1/5)`
+//! - (2) `δlim = k2max/(k2max − kn) · φF · 2R*`, (3) `k2max = kn · coefficientMaxElasticStiffness`
+//! - (4) `k2 = kn + (k2max − kn) δmax/δlim` below δlim, else `k2max`; (5) `kc = kn · coefficientAdhesionStiffness`
+//! - (6) `Fhys = min(kn δ, max(F2, −kc δ))`
+//! - (7) `F2 = k2 (δ − δmax) + kn δmax` below δlim
+//! - (8) `γn = sqrt(4 m* kn/(1 + (π/ln e)²))`, `γt = γn` or 0; (9) `Fdamp = −γn v_n`
+//! - (10) `Fn = Fhys + Fdamp`; `limitForce on`: `max(Fn, 0)`
+//!
+//! Departures from the sheet, all as LIGGGHTS's header has it:
+//! - (7′) for δmax ≥ δlim the line refers to δlim, `F2 = k2max (δ − δlim) + kn δlim`, and the cap kn δ no longer holds;
+//!   (7) taken literally gives 1/2.29 of the force at k2max/kn = 5, δ = 1.6 δlim.
+//! - (6′) on the adhesive line `δmax ← ½ (δ + sqrt(δ² + 4 (kn+kc) δ δlim/(k2max − kn)))`, which the sheet mentions and
+//!   does not give: the unloading line through the present point.
+//!
+//! Departures from LIGGGHTS: `coefficientMaxElasticStiffness = 1` is a linear spring (δlim infinite), where LIGGGHTS
+//! divides 0 by 0 in (6′) and, for φF = 0, in (2). `limitForce` works under our own name; LIGGGHTS reads and ignores
+//! it, and so does this law where it has taken over the stock name.
+use super::formulas::{effective_young, hooke_stiffness, Viscous};
+use super::prop;
+use crate::lane::Lane;
+use crate::law::*;
+use std::f64::consts::PI;
+
+/// The law.
+pub struct HookeHysteresis;
+
+/// What a pair of types decides.
+#[derive(Clone, Copy, Debug)]
+pub struct Coeffs {
+    yeff: f64,
+    vc: f64,
+    log_e: f64,
+    viscous: Option<Viscous>,
+    k2max_over_kn: f64,
+    kc_over_kn: f64,
+    phi_f: f64,
+    tangential_damping: bool,
+    limit_force: bool,
+    nktv2p: f64,
+}
+
+/// What two sizes decide.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit<L = f64> {
+    kn: L,
+    k2max: L,
+    kc: L,
+    /// δlim \[m\]; infinite for k2max = kn.
+    delta_lim: L,
+    gamman: L,
+    gammat: L,
+    limit_force: bool,
+}
+
+/// The dashpot when it depends on the velocity (`viscous on`).
+#[derive(Clone, Copy, Debug)]
+pub struct Damper {
+    viscous: Option<Viscous>,
+    size: Size,
+    kn: f64,
+    tangential: bool,
+}
+
+const EXCEPTIONS: &[Exception] = &[
+    Exception {
+        rule: Rule::QueryLeavesHistory,
+        why: "LIGGGHTS raises δmax in set-up evaluations and queries too; without it the same deck gives other forces",
+    },
+    Exception {
+        rule: Rule::DampingOdd,
+        why: "with viscous on, LIGGGHTS's signed Stokes number damps approach and rebound differently",
+    },
+];
+
+impl Law for HookeHysteresis {
+    const META: Meta = Meta {
+        kind: Kind::Normal,
+        keyword: "hooke/hysteresis",
+        id: 50,
+        stock_id: Some(2),
+        summary: "piecewise-linear elasto-plastic adhesive spring with dashpot",
+        props: &[
+            prop::YOUNG,
+            prop::POISSON,
+            prop::CHARACTERISTIC_VELOCITY,
+            Prop { need: Need::Unless("viscous", "on"), ..prop::RESTITUTION },
+            prop::FLUID_VISCOSITY,
+            prop::MAXIMUM_RESTITUTION,
+            prop::CRITICAL_STOKES,
+            Prop {
+                name: "coefficientMaxElasticStiffness",
+                symbol: "k2max/kn",
+                shape: Shape::PerPair,
+                unit: Unit::ONE,
+                range: Range::at_least(1.0),
+                usual: (1.5, 20.0),
+                need: Need::Always,
+                doc: "stiffest unloading over loading stiffness; 1 is a linear spring",
+            },
+            Prop {
+                name: "coefficientAdhesionStiffness",
+                symbol: "kc/kn",
+                shape: Shape::PerPair,
+                unit: Unit::ONE,
+                range: Range::at_least(0.0),
+                usual: (0.0, 2.0),
+                need: Need::Always,
+                doc: "adhesion over loading stiffness",
+            },
+            Prop {
+                name: "coefficientPlasticityDepth",
+                symbol: "φF",
+                shape: Shape::PerPair,
+                unit: Unit::ONE,
+                range: Range::at_least(0.0),
+                usual: (0.01, 0.5),
+                need: Need::Always,
+                doc: "plastic depth over the diameter 2R*; 0 unloads along k2max from the start",
+            },
+        ],
+        settings: &[
+            prop::VISCOUS,
+            prop::VISCOUS_ABS,
+            prop::TANGENTIAL_DAMPING,
+            Setting { support: Support::StockIgnores, ..prop::LIMIT_FORCE },
+            prop::refused("ktToKnUser", "LIGGGHTS reads it and ignores it for this law"),
+            prop::refused("heating_normal_hooke", "contacts do not produce heat"),
+            prop::HEATING_TRACKING,
+            prop::ELASTIC_POTENTIAL,
+            prop::DISSIPATED_ENERGY,
+            prop::DISABLE_WHEN_BONDED,
+        ],
+        slots: &[Slot { name: "deltaMax", newton: Newton::Even, unit: Unit::M }],
+        stress_strain_exponent: 1.0, // (11)
+        reach: Reach::Overlap,
+        references: &[
+            "S. Luding, Granular Matter 10 (2008) 235, doi:10.1007/s10035-008-0099-x",
+            "formula sheet for normal_model_hooke_hysteresis.h, Open DEM Japan (2025)",
+        ],
+        exceptions: EXCEPTIONS,
+    };
+    type History = [f64; 1];
+    type Coeffs = Coeffs;
+    type Fit = (Fit, Damper);
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        let viscous = Viscous::new(p);
+        Ok(Coeffs {
+            yeff: effective_young(p),
+            vc: p.get("characteristicVelocity"),
+            log_e: if viscous.is_some() { 0.0 } else { p.get("coefficientRestitution").ln() },
+            viscous,
+            k2max_over_kn: p.get("coefficientMaxElasticStiffness"),
+            kc_over_kn: p.get("coefficientAdhesionStiffness"),
+            phi_f: p.get("coefficientPlasticityDepth"),
+            tangential_damping: p.on("tangential_damping"),
+            limit_force: p.on("limitForce"),
+            nktv2p: p.nktv2p(),
+        })
+    }
+
+    fn fit(c: &Coeffs, size: &Size) -> (Fit, Damper) {
+        let reff = size.reff();
+        let spring = hooke_stiffness(c.yeff, reff, size.meff, c.vc); // (1)
+        let gamman = damping(size.meff, spring, c.log_e);
+        let gammat = if c.tangential_damping { gamman } else { 0.0 };
+        let kn = spring / c.nktv2p;
+        let k2max = kn * c.k2max_over_kn; // (3)
+        let delta_lim = if k2max > kn { k2max / (k2max - kn) * c.phi_f * 2.0 * reff } else { f64::INFINITY }; // (2)
+        let kc = kn * c.kc_over_kn; // (5)
+        let fit = Fit { kn, k2max, kc, delta_lim, gamman, gammat, limit_force: c.limit_force };
+        (fit, Damper { viscous: c.viscous, size: *size, kn: spring, tangential: c.tangential_damping })
+    }
+
+    fn touch(f: &(Fit, Damper), x: &Contact, h: &mut [f64; 1], s: &mut Stage) {
+        Self::touch_lanes(&f.1.at(f.0, x.surface.vn), &x.gap.call, &x.surface, h, s);
+    }
+
+    fn apart(_: &Self::Fit, _: &Gap, h: &mut [f64; 1], s: &mut Stage) {
+        *h = [0.0];
+        s.mark = Mark::Clear;
+    }
+
+    fn observe(f: &Self::Fit, x: &Contact, h: &[f64; 1]) -> Terms {
+        let (fit, delta) = (f.1.at(f.0, x.surface.vn), x.surface.deltan);
+        let delta_max = delta.max(h[0]);
+        let (force, branch) = spring(&fit, delta, delta_max);
+        let k2 = unloading(&fit, delta_max);
+        let (name, stiffness) = match branch {
+            Branch::Load if delta_max < fit.delta_lim => ("loading", fit.kn),
+            Branch::Adhesive => ("adhesive", -fit.kc),
+            _ => ("unloading", k2),
+        };
+        // What comes back along k2 until the force vanishes.
+        let stored = if force > 0.0 && k2 > 0.0 { 0.5 * force * force / k2 } else { 0.0 };
+        let dissipated = fit.gamman * x.surface.vn * x.surface.vn;
+        Terms { branch: name, stiffness, damping: fit.gamman, stored, dissipated }
+    }
+}
+
+/// (8); 1/∞ = 0 for e = 1.
+fn damping(meff: f64, kn: f64, log_e: f64) -> f64 {
+    (4.0 * meff * kn / (1.0 + (PI / log_e) * (PI / log_e))).sqrt()
+}
+
+impl Damper {
+    fn at(&self, mut fit: Fit, vn: f64) -> Fit {
+        if let Some(v) = &self.viscous {
+            fit.gamman = damping(self.size.meff, self.kn, v.log_restitution(&self.size, vn));
+            fit.gammat = if self.tangential { fit.gamman } else { 0.0 };
+        }
+        fit
+    }
+}
+
+/// (4).
+fn unloading(f: &Fit, delta_max: f64) -> f64 {
+    if delta_max >= f.delta_lim {
+        f.k2max
+    } else {
+        f.kn + (f.k2max - f.kn) * delta_max / f.delta_lim
+    }
+}
+
+enum Branch {
+    Load,
+    Unload,
+    Adhesive,
+}
+
+/// The branch that holds and its force \[N\], for `observe`.
+fn spring(f: &Fit, delta: f64, delta_max: f64) -> (f64, Branch) {
+    let plastic = delta_max >= f.delta_lim;
+    let at = if plastic { f.delta_lim } else { delta_max };
+    let line = unloading(f, delta_max) * (delta - at) + f.kn * at;
+    match () {
+        _ if !plastic && line >= f.kn * delta => (f.kn * delta, Branch::Load),
+        _ if line > -f.kc * delta => (line, Branch::Unload),
+        _ => (-f.kc * delta, Branch::Adhesive),
+    }
+}
+
+impl LaneLaw for HookeHysteresis {
+    type FitOf<L: Lane> = Fit<L>;
+    type HistoryOf<L: Lane> = [L; 1];
+
+    #[inline]
+    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 1], s: &mut Stage<L>) {
+        let [delta_max] = h;
+        let delta = x.deltan;
+        *delta_max = L::select(delta.gt(*delta_max), delta, *delta_max);
+        let largest = *delta_max;
+        let plastic = largest.ge(f.delta_lim);
+        let range = f.k2max - f.kn;
+        let beyond = f.k2max * (delta - f.delta_lim) + f.kn * f.delta_lim; // (7′)
+        let below = (f.kn + range * largest / f.delta_lim) * (delta - largest) + f.kn * largest; // (4), (7)
+        let (load, adhesive) = (f.kn * delta, -f.kc * delta);
+        let loading = !plastic & below.ge(load);
+        let unloading = (plastic & beyond.ge(adhesive)) | (!plastic & below.gt(adhesive));
+        let line = L::select(plastic, beyond, below);
+        let elastic = L::select(loading, load, L::select(unloading, line, adhesive)); // (6)
+        let adheres = !(loading | unloading) & range.gt(L::splat(0.0));
+        if call.update && L::any(adheres) {
+            let root = (delta * delta + L::splat(4.0) * ((f.kn + f.kc) * delta * f.delta_lim / range)).sqrt();
+            *delta_max = L::select(adheres, L::splat(0.5) * (delta + root), largest);
+            // (6′)
+        }
+        let mut fn_ = elastic + -f.gamman * x.vn; // (9), (10)
+        if f.limit_force {
+            let zero = L::splat(0.0);
+            fn_ = L::select(zero.gt(fn_), zero, fn_);
+        }
+        (s.fn_, s.kn, s.kt, s.gamman, s.gammat) = (fn_, f.kn, f.kn, f.gamman, f.gammat);
+        s.force += x.en * fn_;
+        s.mark = Mark::Set;
+    }
+}

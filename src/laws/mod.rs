@@ -1,0 +1,49 @@
+//! Every law, one file each.
+use crate::law::{entry, Entry, Kind};
+
+pub mod cdt;
+pub mod formulas;
+pub mod hertz;
+pub mod history;
+pub mod hooke;
+pub mod hooke_hysteresis;
+pub mod no_history;
+pub mod prop;
+
+/// All laws, one line each. A law that is not here does not exist.
+pub static LAWS: &[Entry] = &[
+    entry::<hooke::Hooke>(),
+    entry::<hertz::Hertz>(),
+    entry::<hooke_hysteresis::HookeHysteresis>(),
+    entry::<no_history::NoHistory>(),
+    entry::<history::History>(),
+    entry::<cdt::Cdt>(),
+];
+
+/// The law of a kind with a name, given as LIGGGHTS has it (`hooke`) or as our own (`hooke/rs`).
+pub fn find(kind: Kind, name: &str) -> Option<&'static Entry> {
+    let keyword = name.strip_suffix("/rs").unwrap_or(name);
+    LAWS.iter().find(|e| e.meta.kind == kind && e.meta.keyword == keyword)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn names_and_numbers_are_unique_within_a_kind() {
+        let mut seen = HashSet::new();
+        for e in LAWS {
+            assert!(seen.insert((e.meta.kind, e.meta.keyword.to_string())), "{} twice", e.meta.keyword);
+            assert!(seen.insert((e.meta.kind, format!("id {}", e.meta.id))), "id {} twice", e.meta.id);
+            assert!(e.meta.stock_id.is_none_or(|id| id < 16), "{}", e.meta.keyword);
+        }
+    }
+
+    #[test]
+    fn a_law_is_found_by_either_name() {
+        assert_eq!(find(Kind::Normal, "hooke/hysteresis/rs").unwrap().meta.keyword, "hooke/hysteresis");
+        assert!(find(Kind::Rolling, "hooke").is_none());
+    }
+}

@@ -1,0 +1,87 @@
+//! Coulomb friction regularised by a dashpot, without memory.
+//!
+//! - (E1) `Ft = −γ v_t`, `γ = min(γt, μ|Fn|/|v_t|)`
+//!
+//! `v_t` \[m/s\] is the tangential relative velocity at the contact, γt \[N s/m\] and Fn \[N\] come from the normal law.
+//! Limits: no static friction; a contact at rest creeps.
+use super::prop;
+use crate::lane::{norm, Lane};
+use crate::law::*;
+
+/// The law.
+pub struct NoHistory;
+
+/// The coefficient of friction of a type pair.
+#[derive(Clone, Copy, Debug)]
+pub struct Coeffs<L = f64> {
+    mu: L,
+}
+
+impl Law for NoHistory {
+    const META: Meta = Meta {
+        kind: Kind::Tangential,
+        keyword: "no_history",
+        id: 49,
+        stock_id: Some(1),
+        summary: "viscous friction with Coulomb limit, no memory",
+        props: &[prop::FRICTION],
+        settings: &[
+            prop::refused("disableTangentialWhenBonded", "the friction law does not look at bonds"),
+            prop::DISSIPATED_ENERGY,
+        ],
+        slots: &[],
+        stress_strain_exponent: 0.0,
+        reach: Reach::Overlap,
+        references: &["P.K. Haff, B.T. Werner, Powder Technology 48 (1986) 239"],
+        exceptions: &[],
+    };
+    type History = [f64; 0];
+    type Coeffs = Coeffs;
+    type Fit = Coeffs;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        Ok(Coeffs { mu: p.get("coefficientFriction") })
+    }
+
+    fn fit(c: &Coeffs, _: &Size) -> Coeffs {
+        *c
+    }
+
+    fn touch(f: &Coeffs, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
+        Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
+    }
+
+    fn apart(_: &Coeffs, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+        s.mark = Mark::Clear;
+    }
+
+    fn observe(f: &Coeffs, x: &Contact, _: &[f64; 0]) -> Terms {
+        // Before the normal law has run, only the speed is known.
+        let _ = f;
+        Terms { branch: if norm(&x.surface.vtr) > 0.0 { "sliding" } else { "at rest" }, ..Terms::default() }
+    }
+}
+
+impl LaneLaw for NoHistory {
+    type FitOf<L: Lane> = Coeffs<L>;
+    type HistoryOf<L: Lane> = [L; 0];
+
+    #[inline]
+    fn touch_lanes<L: Lane>(f: &Coeffs<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+        let speed = norm(&x.vtr);
+        let coulomb = f.mu * s.fn_.abs();
+        let gamma = L::select((s.gammat * speed).gt(coulomb), coulomb / speed, s.gammat); // (E1)
+        let force = x.vtr * -gamma;
+        push(x, s, force);
+    }
+}
+
+/// Hand out a tangential force: torque on either side is lever × force.
+#[inline]
+pub(super) fn push<L: Lane>(x: &Surface<L>, s: &mut Stage<L>, force: nalgebra::Vector3<L>) {
+    let turn = x.en.cross(&force);
+    s.force += force;
+    s.torque_i += turn * -x.cri;
+    s.torque_j += turn * -x.crj;
+    s.mark = Mark::Set;
+}
