@@ -296,6 +296,8 @@ pub struct Meta {
     pub stress_strain_exponent: f64,
     /// How far it acts.
     pub reach: Reach,
+    /// Whether it is consistent under LIGGGHTS's coarse-graining; refused with it otherwise, as in LIGGGHTS.
+    pub coarse_graining: bool,
     /// Where it comes from.
     pub references: &'static [&'static str],
     /// The universal rules that it breaks.

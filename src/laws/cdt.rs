@@ -34,6 +34,7 @@ impl Law for Cdt {
         slots: &[],
         stress_strain_exponent: 0.0,
         reach: Reach::Overlap,
+        coarse_graining: false,
         references: &["J. Ai, J.-F. Chen, J.M. Rotter, J.Y. Ooi, Powder Technology 206 (2011) 269, model A"],
         exceptions: &[Exception {
             rule: Rule::Continuous,

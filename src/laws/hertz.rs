@@ -67,6 +67,7 @@ impl Law for Hertz {
         slots: &[],
         stress_strain_exponent: 1.5,
         reach: Reach::Overlap,
+        coarse_graining: true,
         references: &[
             "H. Hertz, J. reine angew. Math. 92 (1882) 156",
             "Y. Tsuji, T. Tanaka, T. Ishida, Powder Technology 71 (1992) 239",

@@ -48,6 +48,7 @@ impl Law for History {
         ],
         stress_strain_exponent: 0.0,
         reach: Reach::Overlap,
+        coarse_graining: true,
         references: &[
             "P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47",
             "L.E. Silbert et al., Phys. Rev. E 64 (2001) 051302",

@@ -90,6 +90,7 @@ impl Law for Hooke {
         slots: &[],
         stress_strain_exponent: 1.0,
         reach: Reach::Overlap,
+        coarse_graining: false,
         references: &["P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47"],
         exceptions: &[Exception {
             rule: Rule::DampingOdd,

@@ -146,6 +146,7 @@ impl Law for HookeHysteresis {
         slots: &[Slot { name: "deltaMax", newton: Newton::Even, unit: Unit::M }],
         stress_strain_exponent: 1.0, // (11)
         reach: Reach::Overlap,
+        coarse_graining: false,
         references: &[
             "S. Luding, Granular Matter 10 (2008) 235, doi:10.1007/s10035-008-0099-x",
             "formula sheet for normal_model_hooke_hysteresis.h, Open DEM Japan (2025)",

@@ -32,6 +32,7 @@ impl Law for NoHistory {
         slots: &[],
         stress_strain_exponent: 0.0,
         reach: Reach::Overlap,
+        coarse_graining: true,
         references: &["P.K. Haff, B.T. Werner, Powder Technology 48 (1986) 239"],
         exceptions: &[],
     };

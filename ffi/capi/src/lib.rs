@@ -1,1 +1,205 @@
-//! The boundary.
+//! The C interface: every `extern "C"` of `granlaw.h`. Each body checks its pointers, stops panics and calls one safe
+//! function; the layouts in `abi` are bindgen's view of the header.
+#![warn(clippy::undocumented_unsafe_blocks)]
+#![allow(clippy::missing_safety_doc)] // The contract stands in granlaw.h.
+#![allow(non_camel_case_types)] // C names.
+
+#[allow(non_snake_case, missing_docs, dead_code)]
+#[rustfmt::skip]
+pub mod abi;
+mod convert;
+mod descriptor;
+mod status;
+
+use abi::*;
+use granlaw::chain::{Chain, Marks};
+use granlaw::law::{Call, Stage};
+use granlaw::laws::LAWS;
+use status::{boundary, Failure};
+use std::ffi::{c_char, CString};
+
+/// A prepared chain with what holds for the present pass.
+pub struct granlaw_chain {
+    chain: Chain,
+    pass: granlaw_pass,
+}
+
+#[no_mangle]
+pub extern "C" fn granlaw_abi_version() -> u32 {
+    GRANLAW_ABI_VERSION
+}
+
+#[no_mangle]
+pub extern "C" fn granlaw_version() -> *const c_char {
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
+}
+
+#[no_mangle]
+pub extern "C" fn granlaw_law_count() -> usize {
+    LAWS.len()
+}
+
+#[no_mangle]
+pub extern "C" fn granlaw_law_at(law: usize) -> *const granlaw_law {
+    descriptor::table().get(law).map_or(std::ptr::null(), |l| l)
+}
+
+#[no_mangle]
+pub extern "C" fn granlaw_last_error() -> *const c_char {
+    status::last_error()
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_needs_property(
+    law: usize,
+    taken_over: bool,
+    options: *const i32,
+    prop: usize,
+) -> bool {
+    let mut needed = false;
+    boundary(|| {
+        // SAFETY: the caller gives one option per setting of that law, or NULL.
+        let settings = unsafe { convert::settings(law, taken_over, options) }?;
+        let prop =
+            LAWS[law].meta.props.get(prop).ok_or(Failure::misuse("prop is not a property of that law"))?;
+        needed = settings.need(prop.need);
+        Ok(())
+    });
+    needed
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_prepare(
+    setup: *const granlaw_setup,
+    out: *mut *mut granlaw_chain,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives valid pointers or NULL, which is refused here.
+        let (setup, out) = unsafe { (setup.as_ref(), out.as_mut()) };
+        let (Some(setup), Some(out)) = (setup, out) else {
+            return Err(Failure::misuse("setup or out is NULL"));
+        };
+        *out = std::ptr::null_mut();
+        // SAFETY: the arrays in `setup` have the lengths that granlaw.h states.
+        let (setups, offsets) = unsafe { convert::setups(setup) }?;
+        let chain = Chain::new(&setups, &offsets).map_err(|e| Failure::refused(e.to_string()))?;
+        let pass = granlaw_pass { dt: 0.0, step: 0, x: std::ptr::null(), tag: std::ptr::null() };
+        *out = Box::into_raw(Box::new(granlaw_chain { chain, pass }));
+        Ok(())
+    })
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_free(chain: *mut granlaw_chain) {
+    if !chain.is_null() {
+        boundary(|| {
+            // SAFETY: the pointer came from granlaw_prepare and is not used again.
+            drop(unsafe { Box::from_raw(chain) });
+            Ok(())
+        });
+    }
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_begin_pass(
+    chain: *mut granlaw_chain,
+    pass: *const granlaw_pass,
+) -> granlaw_status {
+    // SAFETY: the caller gives valid pointers or NULL.
+    match unsafe { (chain.as_mut(), pass.as_ref()) } {
+        (Some(chain), Some(pass)) => {
+            chain.pass = *pass;
+            GRANLAW_OK as granlaw_status
+        }
+        _ => status::fail(Failure::misuse("chain or pass is NULL")),
+    }
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_surfaces_intersect(
+    chain: *mut granlaw_chain,
+    contact: *mut granlaw_surfaces_intersect_data,
+    i_forces: *mut granlaw_force_data,
+    j_forces: *mut granlaw_force_data,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives valid, distinct pointers or NULL.
+        let args = unsafe { (chain.as_mut(), contact.as_mut(), i_forces.as_mut(), j_forces.as_mut()) };
+        let (Some(c), Some(s), Some(fi), Some(fj)) = args else {
+            return Err(Failure::misuse("a pointer is NULL"));
+        };
+        let types = convert::types(&s.close, c.chain.types())?;
+        // SAFETY: the contact's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
+        let x = unsafe { convert::contact(&c.pass, s) };
+        if !convert::finite(&x) {
+            return Err(convert::non_finite(&c.chain, &x));
+        }
+        let mut stage =
+            Stage { fn_: s.Fn, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat, ..Stage::default() };
+        // SAFETY: contact_history is NULL or as long as the chain's row.
+        let row = unsafe { convert::history(s.close.contact_history, c.chain.row()) }?;
+        let marks = c.chain.touch(types, &x, row, &mut stage);
+        (s.Fn, s.kn, s.kt, s.gamman, s.gammat) = (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat);
+        // SAFETY: contact_flags is NULL or valid.
+        unsafe { mark(s.close.contact_flags, marks) };
+        convert::hand_out(&stage, &s.close, fi, fj);
+        Ok(())
+    })
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_surfaces_close(
+    chain: *mut granlaw_chain,
+    gap: *mut granlaw_surfaces_close_data,
+    meff: f64,
+    i_forces: *mut granlaw_force_data,
+    j_forces: *mut granlaw_force_data,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives valid, distinct pointers or NULL.
+        let args = unsafe { (chain.as_mut(), gap.as_mut(), i_forces.as_mut(), j_forces.as_mut()) };
+        let (Some(c), Some(s), Some(fi), Some(fj)) = args else {
+            return Err(Failure::misuse("a pointer is NULL"));
+        };
+        let types = convert::types(s, c.chain.types())?;
+        // SAFETY: the gap's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
+        let x = unsafe { convert::gap(&c.pass, s, meff) };
+        let mut stage = Stage::default();
+        // SAFETY: contact_history is NULL or as long as the chain's row.
+        let row = unsafe { convert::history(s.contact_history, c.chain.row()) }?;
+        let marks = c.chain.apart(types, &x, row, &mut stage);
+        // SAFETY: contact_flags is NULL or valid.
+        unsafe { mark(s.contact_flags, marks) };
+        if stage.force != Stage::<f64>::default().force {
+            s.has_force_update = true;
+        }
+        convert::hand_out(&stage, s, fi, fj);
+        Ok(())
+    })
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_end_pass(chain: *mut granlaw_chain) -> granlaw_status {
+    if chain.is_null() {
+        return status::fail(Failure::misuse("chain is NULL"));
+    }
+    GRANLAW_OK as granlaw_status
+}
+
+/// # Safety
+/// `flags` is NULL or valid for reading and writing.
+unsafe fn mark(flags: *mut i32, marks: Marks) {
+    // SAFETY: as the caller promises.
+    if let Some(flags) = unsafe { flags.as_mut() } {
+        *flags = (*flags | marks.set) & !marks.clear;
+    }
+}
+
+fn call(pass: &granlaw_pass, s: &granlaw_surfaces_close_data) -> Call {
+    let update = s.computeflag != 0 && s.shearupdate != 0;
+    Call { dt: pass.dt, step: pass.step, update, is_wall: s.is_wall }
+}
+
+fn c_string(text: &str) -> CString {
+    CString::new(text.replace('\0', " ")).expect("no NUL is left")
+}

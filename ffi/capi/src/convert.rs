@@ -1,0 +1,175 @@
+//! Between the structs of `granlaw.h` and those of the core.
+use crate::abi::*;
+use crate::call;
+use crate::status::Failure;
+use granlaw::chain::Chain;
+use granlaw::law::{Body, Contact, Gap, Settings, Setup, Stage, Surface, Values};
+use granlaw::laws::LAWS;
+use nalgebra::Vector3;
+use std::slice::from_raw_parts;
+
+/// # Safety
+/// `p` is NULL or leads to `n` values.
+unsafe fn slice<'a, T>(p: *const T, n: usize) -> &'a [T] {
+    if p.is_null() || n == 0 {
+        return &[];
+    }
+    // SAFETY: as the caller promises.
+    unsafe { from_raw_parts(p, n) }
+}
+
+/// The settings of a law from option indices.
+///
+/// # Safety
+/// `options` is NULL or leads to one index per setting of the law.
+pub unsafe fn settings(law: usize, taken_over: bool, options: *const i32) -> Result<Settings, Failure> {
+    let meta = LAWS.get(law).ok_or(Failure::misuse("no law has that index"))?.meta;
+    let mut settings = Settings::new(meta, taken_over);
+    // SAFETY: as the caller promises.
+    for (setting, k) in meta.settings.iter().zip(unsafe { slice(options, meta.settings.len()) }) {
+        if *k >= 0 {
+            let option =
+                setting.options.get(*k as usize).ok_or(Failure::misuse("no option has that index"))?;
+            settings.set(setting.name, option).map_err(|e| Failure::refused(e.to_string()))?;
+        }
+    }
+    Ok(settings)
+}
+
+/// All laws of a chain, and where their histories begin.
+///
+/// # Safety
+/// The arrays have the lengths that `granlaw.h` states.
+pub unsafe fn setups(from: &granlaw_setup) -> Result<(Vec<Setup>, Vec<usize>), Failure> {
+    let types = from.n_types;
+    let (mut setups, mut offsets) = (Vec::new(), Vec::new());
+    // SAFETY: as the caller promises, here and in the loop.
+    for choice in unsafe { slice(from.laws, from.n_laws) } {
+        // SAFETY: as above.
+        let settings = unsafe { settings(choice.law, choice.taken_over, choice.options) }?;
+        let meta = LAWS[choice.law].meta;
+        // SAFETY: as above.
+        let given = unsafe { slice(choice.values, meta.props.len()) };
+        let values = meta.props.iter().enumerate().map(|(k, prop)| match given.get(k) {
+            // SAFETY: a property has as many values as its shape says.
+            Some(p) => unsafe { slice(*p, prop.shape.len(types)) }.to_vec(),
+            None => Vec::new(),
+        });
+        let values = Values { types, of: values.collect() };
+        setups.push(Setup { meta, settings, values, nktv2p: from.nktv2p });
+        offsets.push(choice.history_offset);
+    }
+    Ok((setups, offsets))
+}
+
+/// The types of a contact, counted from 0.
+pub fn types(s: &granlaw_surfaces_close_data, n: usize) -> Result<(usize, usize), Failure> {
+    let (i, j) = (s.itype.wrapping_sub(1) as usize, s.jtype.wrapping_sub(1) as usize);
+    if i < n && j < n {
+        Ok((i, j))
+    } else {
+        Err(Failure::misuse("itype or jtype is not an atom type of the chain"))
+    }
+}
+
+/// # Safety
+/// `history` is NULL or leads to `n` numbers that nothing else uses.
+pub unsafe fn history<'a>(history: *mut f64, n: usize) -> Result<&'a mut [f64], Failure> {
+    match (history.is_null(), n) {
+        (_, 0) => Ok(&mut []),
+        (true, _) => Err(Failure::misuse("contact_history is NULL but the chain has history")),
+        // SAFETY: as the caller promises.
+        (false, _) => Ok(unsafe { std::slice::from_raw_parts_mut(history, n) }),
+    }
+}
+
+/// # Safety
+/// `p` is NULL or leads to three numbers.
+unsafe fn vector(p: *const f64) -> Vector3<f64> {
+    if p.is_null() {
+        return Vector3::zeros();
+    }
+    // SAFETY: as the caller promises.
+    unsafe { Vector3::new(*p, *p.add(1), *p.add(2)) }
+}
+
+/// # Safety
+/// The pointers and indices of `s` are valid for the arrays of the pass.
+#[inline]
+pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, meff: f64) -> Gap {
+    // SAFETY: as the caller promises, in this block; a wall has no place in the arrays.
+    unsafe {
+        let place =
+            |k: i32| if pass.x.is_null() { Vector3::zeros() } else { vector(pass.x.add(3 * k as usize)) };
+        let tag = |k: i32| if pass.tag.is_null() { 0 } else { i64::from(*pass.tag.add(k as usize)) };
+        let delta = Vector3::from(s.delta);
+        let x = place(s.i);
+        let i =
+            Body { tag: tag(s.i), radius: s.radi, mass: 0.0, x, v: vector(s.v_i), omega: vector(s.omega_i) };
+        let j = if s.is_wall {
+            let tag = -1 - i64::from(s.j.max(0));
+            Body { tag, x: x - delta, v: vector(s.v_j), ..Body::default() }
+        } else {
+            let (x, omega) = (place(s.j), vector(s.omega_j));
+            Body { tag: tag(s.j), radius: s.radj, mass: 0.0, x, v: vector(s.v_j), omega }
+        };
+        Gap { call: call(pass, s), i, j, delta, rsq: s.rsq, meff }
+    }
+}
+
+/// # Safety
+/// As [`gap`].
+#[inline]
+pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) -> Contact {
+    // SAFETY: as the caller promises.
+    let mut gap = unsafe { gap(pass, &s.close, s.meff) };
+    gap.i.mass = s.mi;
+    let (roll, crj) = if s.close.is_wall {
+        (Vector3::new(s.wr1, s.wr2, s.wr3), 0.0)
+    } else {
+        gap.j.mass = s.mj;
+        (gap.i.omega - gap.j.omega, s.crj)
+    };
+    let vtr = Vector3::new(s.vtr1, s.vtr2, s.vtr3);
+    let surface = Surface { deltan: s.deltan, vn: s.vn, en: s.en.into(), vtr, roll, cri: s.cri, crj };
+    Contact { gap, surface }
+}
+
+/// Whether nothing that the laws read of the motion is NaN or infinite.
+#[inline]
+pub fn finite(x: &Contact) -> bool {
+    let s = &x.surface;
+    // Any NaN or infinity survives the sum; finite numbers of a simulation do not overflow it.
+    (s.deltan + s.vn + s.en.sum() + s.vtr.sum() + s.roll.sum()).is_finite()
+}
+
+/// What to say of it.
+#[cold]
+pub fn non_finite(chain: &Chain, x: &Contact) -> Failure {
+    let laws: Vec<_> = chain.laws().map(|m| m.keyword).collect();
+    let partner = if x.gap.call.is_wall { "a wall".into() } else { format!("particle {}", x.gap.j.tag) };
+    Failure::non_finite(format!(
+        "{}: the contact of particle {} with {partner} at step {} is not finite (overlap {:e} m, normal velocity {:e} m/s); reduce the time step or check the input",
+        laws.join(" + "), x.gap.i.tag, x.gap.call.step, x.surface.deltan, x.surface.vn,
+    ))
+}
+
+/// Add force and torque: the opposite force to j, none to a wall.
+#[inline]
+pub fn hand_out(
+    stage: &Stage,
+    s: &granlaw_surfaces_close_data,
+    fi: &mut granlaw_force_data,
+    fj: &mut granlaw_force_data,
+) {
+    let share = if s.is_wall { s.area_ratio } else { 1.0 };
+    for k in 0..3 {
+        fi.delta_F[k] += stage.force[k] * share;
+        fi.delta_torque[k] += stage.torque_i[k] * share;
+        // LIGGGHTS's rolling laws turn a wall too, though nobody reads it.
+        fj.delta_torque[k] += stage.torque_j[k];
+        if !s.is_wall {
+            fj.delta_F[k] -= stage.force[k];
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! `LAWS` as C sees them, built once and kept for ever.
+use crate::abi::*;
+use crate::c_string;
+use granlaw::law::{Kind, Meta, Newton, Prop, Reach, Setting, Shape, Slot, Support};
+use granlaw::laws::LAWS;
+use std::ffi::c_char;
+use std::sync::OnceLock;
+
+struct Table(Vec<granlaw_law>);
+// SAFETY: the pointers lead to leaked, never changed memory.
+unsafe impl Send for Table {}
+// SAFETY: as above.
+unsafe impl Sync for Table {}
+
+/// One descriptor per law, in the order of `LAWS`.
+pub fn table() -> &'static [granlaw_law] {
+    static TABLE: OnceLock<Table> = OnceLock::new();
+    &TABLE.get_or_init(|| Table(LAWS.iter().map(|e| law(e.meta)).collect())).0
+}
+
+fn text(s: &str) -> *const c_char {
+    c_string(s).into_raw()
+}
+
+fn law(m: &Meta) -> granlaw_law {
+    let props: &[granlaw_prop] = Vec::leak(m.props.iter().map(prop).collect());
+    let settings: &[granlaw_setting] = Vec::leak(m.settings.iter().map(setting).collect());
+    let slots: &[granlaw_slot] = Vec::leak(m.slots.iter().map(slot).collect());
+    granlaw_law {
+        kind: match m.kind {
+            Kind::Normal => GRANLAW_NORMAL,
+            Kind::Cohesion => GRANLAW_COHESION,
+            Kind::Tangential => GRANLAW_TANGENTIAL,
+            Kind::Rolling => GRANLAW_ROLLING,
+        } as i32,
+        keyword: text(m.keyword),
+        own_keyword: text(&m.called(false)),
+        id: m.id.into(),
+        stock_id: m.stock_id.map_or(-1, i32::from),
+        summary: text(m.summary),
+        stress_strain_exponent: m.stress_strain_exponent,
+        beyond_contact: m.reach == Reach::Beyond,
+        coarse_graining: m.coarse_graining,
+        props: props.as_ptr(),
+        n_props: props.len(),
+        settings: settings.as_ptr(),
+        n_settings: settings.len(),
+        slots: slots.as_ptr(),
+        n_slots: slots.len(),
+    }
+}
+
+fn prop(p: &Prop) -> granlaw_prop {
+    granlaw_prop {
+        name: text(p.name),
+        symbol: text(p.symbol),
+        unit: text(p.unit.label),
+        doc: text(p.doc),
+        shape: match p.shape {
+            Shape::Scalar => GRANLAW_SCALAR,
+            Shape::PerType => GRANLAW_PER_TYPE,
+            Shape::PerPair => GRANLAW_PER_PAIR,
+        } as i32,
+        lo: p.range.lo,
+        hi: p.range.hi,
+        open_lo: p.range.open_lo,
+        open_hi: p.range.open_hi,
+        usual_lo: p.usual.0,
+        usual_hi: p.usual.1,
+    }
+}
+
+fn setting(s: &Setting) -> granlaw_setting {
+    let options: &[*const c_char] = Vec::leak(s.options.iter().map(|o| text(o)).collect());
+    granlaw_setting {
+        name: text(s.name),
+        options: options.as_ptr(),
+        n_options: options.len(),
+        default_option: s.default.and_then(|d| s.index(d)).map_or(-1, |k| k as i32),
+        support: match s.support {
+            Support::Full => GRANLAW_SUPPORT_FULL,
+            Support::OwnOnly => GRANLAW_SUPPORT_OWN_ONLY,
+            Support::StockIgnores => GRANLAW_SUPPORT_STOCK_IGNORES,
+            Support::Refused => GRANLAW_SUPPORT_REFUSED,
+        } as i32,
+        doc: text(s.doc),
+    }
+}
+
+fn slot(s: &Slot) -> granlaw_slot {
+    let newton = match s.newton {
+        Newton::Even => "0",
+        Newton::Odd => "1",
+    };
+    granlaw_slot { name: text(s.name), newton: text(newton), unit: text(s.unit.label) }
+}
