@@ -63,6 +63,7 @@ pub struct granlaw_law {
     pub summary: *const ::std::os::raw::c_char,
     pub stress_strain_exponent: f64,
     pub beyond_contact: bool,
+    pub coarse_graining: bool,
     pub props: *const granlaw_prop,
     pub n_props: usize,
     pub settings: *const granlaw_setting,
