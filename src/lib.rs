@@ -1,12 +1,15 @@
 //! Contact laws for granular simulation (DEM) that plug into LIGGGHTS, and what proves them right.
 //!
 //! The rooms: [`law`] says what a law is, [`laws`] holds one file per law, [`lane`] the numbers their hot functions are
-//! written in, [`chain`] runs the chosen laws over one contact, [`report`] writes what was found.
+//! written in, [`chain`] runs the chosen laws over one contact, [`deck`] reads what a LIGGGHTS input asks to be checked,
+//! [`report`] writes what was found.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod chain;
+pub mod deck;
 pub mod lane;
 pub mod law;
 pub mod laws;
+pub mod near;
 pub mod report;

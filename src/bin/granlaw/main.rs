@@ -1,2 +1,40 @@
-//! The command line.
-fn main() {}
+//! The command line: one file per command; each turns its arguments into one call of the library.
+use clap::{Parser, Subcommand};
+use std::io::Write;
+use std::process::ExitCode;
+
+mod laws;
+
+/// Contact laws for LIGGGHTS, and the proof that they are right.
+#[derive(Parser)]
+#[command(
+    name = "granlaw",
+    version,
+    arg_required_else_help = true,
+    after_help = "Exit status: 0 everything agreed, 1 something disagreed, 2 something could not run.\n\
+        `granlaw <command> --help` explains a command and gives examples."
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Laws(laws::Args),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Laws(args) => laws::run(&args),
+    };
+    done.unwrap_or_else(|error| {
+        eprintln!("granlaw: {error:#}");
+        ExitCode::from(2)
+    })
+}
+
+/// To standard output; a reader that goes away early is no error.
+fn print(text: &str) {
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}
