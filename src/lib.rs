@@ -2,7 +2,7 @@
 //!
 //! The rooms: [`law`] says what a law is, [`laws`] holds one file per law, [`lane`] the numbers their hot functions are
 //! written in, [`chain`] runs the chosen laws over one contact, [`deck`] reads what a LIGGGHTS input asks to be checked,
-//! [`report`] writes what was found.
+//! [`liggghts`] runs it, [`report`] writes what was found.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
@@ -11,5 +11,6 @@ pub mod deck;
 pub mod lane;
 pub mod law;
 pub mod laws;
+pub mod liggghts;
 pub mod near;
 pub mod report;

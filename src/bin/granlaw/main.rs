@@ -4,6 +4,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 mod laws;
+mod run;
 
 /// Contact laws for LIGGGHTS, and the proof that they are right.
 #[derive(Parser)]
@@ -22,11 +23,13 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Laws(laws::Args),
+    Run(run::Args),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Laws(args) => laws::run(&args),
+        Command::Run(args) => run::run(&args),
     };
     done.unwrap_or_else(|error| {
         eprintln!("granlaw: {error:#}");

@@ -1,0 +1,77 @@
+//! `granlaw run`: LIGGGHTS with the plugin.
+use anyhow::{bail, Context};
+use granlaw::liggghts::{Host, Laws, Plugin, Preload};
+use std::os::unix::process::CommandExt;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Run LIGGGHTS with the Rust laws in it.
+///
+/// LIGGGHTS runs in this folder, in place of granlaw: input, output, exit status, Ctrl-C and signals are its own.
+/// Without --laws the names ending in `/rs` are ours and all others LIGGGHTS's own.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  granlaw run -- -in deck.in                       a deck that names laws ending in /rs
+  granlaw run --laws rust -- -in deck.in           any deck, on the Rust laws
+  granlaw run --laws stock --record calls.trace -- -in deck.in
+                                                   LIGGGHTS's own laws, every contact call recorded
+  granlaw run --laws rust --np 4 -- -in deck.in    on four MPI ranks")]
+pub struct Args {
+    /// Whose laws answer to the stock names.
+    #[arg(long, value_enum)]
+    laws: Option<Whose>,
+    /// Record contact calls to this file; wall and rank are put before its extension.
+    #[arg(long, value_name = "TRACE")]
+    record: Option<PathBuf>,
+    /// Record only every N-th step.
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "record",
+        value_parser = clap::value_parser!(u64).range(1..))]
+    every: u64,
+    /// Run on N MPI ranks, with mpirun.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    np: u64,
+    /// Arguments for LIGGGHTS.
+    #[arg(last = true, required = true, value_name = "LIGGGHTS ARGUMENTS")]
+    liggghts: Vec<String>,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Whose {
+    /// The Rust laws take over the stock names.
+    Rust,
+    /// LIGGGHTS's own laws run, where the plugin can record them.
+    Stock,
+}
+
+pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    let deck = deck(&args.liggghts)?;
+    let plugin = Plugin::find()?;
+    let host = Host::find()?;
+    if let Some(path) = &args.record {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if !folder.is_dir() {
+            bail!("--record {}: there is no folder {}; make it first", path.display(), folder.display());
+        }
+    }
+    let laws = match args.laws {
+        None => Laws::Own,
+        Some(Whose::Rust) => Laws::Rust,
+        Some(Whose::Stock) => Laws::Stock,
+    };
+    eprintln!("granlaw: plugin {}", plugin.path.display());
+    let preload = Preload { plugin: &plugin, laws, record: args.record.clone(), every: args.every, deck };
+    let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
+    command.args(&args.liggghts);
+    // This process becomes LIGGGHTS, so that no signal or status can be lost on the way.
+    let failed = command.exec();
+    Err(failed).with_context(|| format!("cannot start {}", command.get_program().to_string_lossy()))
+}
+
+/// The file name of the deck that LIGGGHTS is given, if it is given one; it must be readable, because LIGGGHTS itself
+/// ends without a word where it is not.
+fn deck(liggghts: &[String]) -> anyhow::Result<Option<String>> {
+    let at = liggghts.iter().position(|a| a == "-in" || a == "-i");
+    let Some(path) = at.and_then(|k| liggghts.get(k + 1)).map(Path::new) else { return Ok(None) };
+    std::fs::File::open(path).with_context(|| format!("cannot read the deck {}", path.display()))?;
+    Ok(path.file_name().map(|n| n.to_string_lossy().into_owned()))
+}

@@ -1,0 +1,209 @@
+//! LIGGGHTS as a process: a deck, perhaps our plugin, and a time limit go in; files or a clear error come out.
+//!
+//! Each run has its own folder. LIGGGHTS itself is never changed: the plugin enters through `LD_PRELOAD`.
+use crate::deck::Deck;
+use std::collections::HashMap;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant, SystemTime};
+use tempfile::TempDir;
+
+mod error;
+mod host;
+mod plugin;
+mod process;
+
+pub use error::RunError;
+pub use host::Host;
+pub use plugin::Plugin;
+pub use process::interrupt;
+
+/// Whose laws answer to which names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Laws {
+    /// `/rs` names are ours, stock names LIGGGHTS's own.
+    #[default]
+    Own,
+    /// Ours take over the stock names.
+    Rust,
+    /// As `Own`, but stock laws run in our chain, so that their calls can be recorded.
+    Stock,
+}
+
+/// The plugin and what it is to do.
+#[derive(Clone, Debug)]
+pub struct Preload<'a> {
+    /// The plugin.
+    pub plugin: &'a Plugin,
+    /// Whose laws run.
+    pub laws: Laws,
+    /// Where contact calls are recorded, if they are.
+    pub record: Option<PathBuf>,
+    /// Every how many steps they are.
+    pub every: u64,
+    /// File name of the deck, for the traces.
+    pub deck: Option<String>,
+}
+
+impl Preload<'_> {
+    /// The environment that carries this to the plugin.
+    pub fn env(&self) -> Vec<(&'static str, String)> {
+        let laws = match self.laws {
+            Laws::Own => "own",
+            Laws::Rust => "rust",
+            Laws::Stock => "stock",
+        };
+        let mut env =
+            vec![("LD_PRELOAD", self.plugin.path.display().to_string()), ("GRANLAW_LAWS", laws.into())];
+        if let Some(path) = &self.record {
+            env.push(("GRANLAW_RECORD", path.display().to_string()));
+            env.push(("GRANLAW_EVERY", self.every.to_string()));
+        }
+        env.extend(self.deck.iter().map(|d| ("GRANLAW_DECK", d.clone())));
+        env
+    }
+}
+
+/// A folder of its own for a run, gone when dropped.
+#[derive(Debug)]
+pub struct Folder {
+    temp: TempDir,
+}
+
+/// What a run left behind.
+#[derive(Debug)]
+pub struct Ran {
+    /// Wall-clock time \[s\].
+    pub seconds: f64,
+    /// The text dumps that it wrote, relative to the folder, in alphabetic order.
+    pub dumps: Vec<PathBuf>,
+    /// The traces that it wrote, in alphabetic order.
+    pub traces: Vec<PathBuf>,
+    /// The warnings that LIGGGHTS printed.
+    pub warnings: Vec<String>,
+}
+
+const TRACE: &str = "calls.trace";
+
+impl Folder {
+    /// A new folder that holds the deck, the deck it continues, and the files beside them.
+    ///
+    /// # Errors
+    /// A file cannot be copied.
+    pub fn new(deck: &Deck) -> Result<Folder, RunError> {
+        let files = deck.beside().map_err(|e| RunError::Deck(e.to_string()))?;
+        let first = deck.after.iter().map(|a| deck.folder().join(&a.deck));
+        let folder = Folder::empty()?;
+        for file in files.into_iter().chain(first).chain([deck.path.clone()]) {
+            let name = file.file_name().unwrap_or_default();
+            fs::copy(&file, folder.path().join(name)).map_err(RunError::io("copy", &file))?;
+        }
+        Ok(folder)
+    }
+
+    /// A second folder with all that this one holds.
+    ///
+    /// # Errors
+    /// A file cannot be copied.
+    pub fn copy(&self) -> Result<Folder, RunError> {
+        let folder = Folder::empty()?;
+        for (file, _) in listed(&self.path())? {
+            let to = folder.path().join(&file);
+            let parent = to.parent().unwrap_or(&to);
+            fs::create_dir_all(parent).map_err(RunError::io("create", parent))?;
+            fs::copy(self.path().join(&file), &to).map_err(RunError::io("write", &to))?;
+        }
+        Ok(folder)
+    }
+
+    fn empty() -> Result<Folder, RunError> {
+        let temp = tempfile::Builder::new().prefix("granlaw-").tempdir();
+        let folder = Folder { temp: temp.map_err(RunError::io("create", &std::env::temp_dir()))? };
+        fs::create_dir(folder.path()).map_err(RunError::io("create", &folder.path()))?;
+        Ok(folder)
+    }
+
+    /// Where the run takes place.
+    pub fn path(&self) -> PathBuf {
+        self.temp.path().join("run")
+    }
+
+    /// Run a deck here, on as many ranks as it asks for.
+    ///
+    /// # Errors
+    /// LIGGGHTS cannot be started, fails, or runs past `limit`; nothing that it started is left running.
+    pub fn run(
+        &self,
+        host: &Host,
+        deck: &Deck,
+        preload: Option<&Preload<'_>>,
+        limit: Duration,
+    ) -> Result<Ran, RunError> {
+        let before = listed(&self.path())?;
+        let outputs = ["stdout", "stderr"].map(|name| self.temp.path().join(name));
+        let [out, err] = outputs.each_ref().map(|p| File::create(p).map_err(RunError::io("create", p)));
+        let env = preload.map(Preload::env).unwrap_or_default();
+        let mut command = host.command(deck.ranks, &env)?;
+        command.args(["-in", &deck.file()]).current_dir(self.path());
+        command.stdin(Stdio::null()).stdout(out?).stderr(err?);
+        let begun = Instant::now();
+        let end = process::run(&mut command, limit).map_err(RunError::io("start", &host.program))?;
+        let said = error::Said::read(&self.path().join("log.liggghts"), &outputs);
+        said.judge(deck, end, limit)?;
+        let after = listed(&self.path())?;
+        let new = |path: &PathBuf| after.get(path) != before.get(path);
+        let mut dumps: Vec<_> =
+            after.keys().filter(|p| new(p) && is_dump(&self.path().join(p))).cloned().collect();
+        let mut traces: Vec<_> =
+            after.keys().filter(|p| new(p) && is_trace(p)).map(|p| self.path().join(p)).collect();
+        dumps.sort();
+        traces.sort();
+        Ok(Ran { seconds: begun.elapsed().as_secs_f64(), dumps, traces, warnings: said.warnings() })
+    }
+
+    /// The name under which [`Folder::run`] looks for traces.
+    pub fn record() -> PathBuf {
+        PathBuf::from(TRACE)
+    }
+}
+
+/// Whether a file is a text dump: by its first line, whatever its name.
+fn is_dump(path: &Path) -> bool {
+    let mut head = [0; 14];
+    File::open(path).and_then(|mut f| io::Read::read_exact(&mut f, &mut head)).is_ok()
+        && &head == b"ITEM: TIMESTEP"
+}
+
+fn is_trace(path: &Path) -> bool {
+    let (stem, extension) = TRACE.split_once('.').unwrap_or((TRACE, ""));
+    path.extension().is_some_and(|e| e == extension) && path.to_string_lossy().starts_with(stem)
+}
+
+/// All files below a folder, with what tells whether they were written to.
+fn listed(root: &Path) -> Result<HashMap<PathBuf, (u64, Option<SystemTime>)>, RunError> {
+    let mut files = HashMap::new();
+    let mut folders = vec![root.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        let entries = fs::read_dir(&folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        for entry in entries.map_err(RunError::io("read", &folder))? {
+            let (path, meta) = (entry.path(), entry.metadata().map_err(RunError::io("read", &folder))?);
+            if meta.is_dir() {
+                folders.push(path);
+            } else if let Ok(name) = path.strip_prefix(root) {
+                files.insert(name.to_path_buf(), (meta.len(), meta.modified().ok()));
+            }
+        }
+    }
+    Ok(files)
+}
+
+/// A command that this process becomes or starts, free of what a plugin in our own environment would leave in it.
+fn clean(program: &Path) -> Command {
+    let mut command = Command::new(program);
+    for name in ["LD_PRELOAD", "GRANLAW_LAWS", "GRANLAW_RECORD", "GRANLAW_EVERY", "GRANLAW_DECK"] {
+        command.env_remove(name);
+    }
+    command
+}
