@@ -1,4 +1,20 @@
 //! One typed [`Report`]; every format is written from it by one writer, and nothing here knows physics.
+//!
+//! [`write_all`] makes the folder: `index.html` for people, `report.md` for pull requests, `report.json` and
+//! `junit.xml` for programs, `csv/<case>.csv` with the numbers behind the plots.
+mod axis;
+mod csv;
+mod figures;
+mod folder;
+mod html;
+mod json;
+mod junit;
+mod markdown;
+mod plot;
+mod summary;
+mod text;
+
+pub use folder::{check_target, write_all, ReportError, Writer};
 use serde::Serialize;
 
 /// What `granlaw verify` found, case by case.
@@ -30,7 +46,7 @@ pub struct About {
 /// One deck.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Case {
-    /// File name of the deck without its extension; unique in a report, safe as a file name.
+    /// File name of the deck without its extension; the writers add `-2`, `-3` … where two decks share it.
     pub name: String,
     /// One line for people.
     pub title: String,
@@ -42,11 +58,13 @@ pub struct Case {
     pub parameters: Vec<Parameter>,
     /// What was checked.
     pub checks: Vec<Check>,
-    /// Histories to plot, one per answer.
+    /// Histories to plot, one per answer. They are long: `report.json` leaves them to `csv/<case>.csv`.
+    #[serde(skip)]
     pub curves: Vec<Curve>,
     /// Contact calls that were compared.
     pub calls: u64,
     /// Wall-clock time of the case \[s\].
+    #[serde(serialize_with = "json::number")]
     pub seconds: f64,
     /// What LIGGGHTS said, kept when a run failed.
     pub log: Option<String>,
@@ -64,6 +82,7 @@ pub struct Parameter {
     /// `scalar`, `per type` or `per type pair`.
     pub shape: String,
     /// The values, row by row.
+    #[serde(serialize_with = "json::numbers")]
     pub values: Vec<f64>,
 }
 
@@ -114,6 +133,7 @@ pub enum Outcome {
 #[derive(Clone, Debug, Serialize)]
 pub struct Tolerance {
     /// The limit; 0 means identical to the last bit.
+    #[serde(serialize_with = "json::number")]
     pub limit: f64,
     /// Why this limit and no other.
     pub reason: String,
@@ -127,17 +147,20 @@ pub struct Worst {
     /// What was compared there, for instance `f_i.x of 1-2`.
     pub what: String,
     /// The answer on trial.
+    #[serde(serialize_with = "json::number")]
     pub got: f64,
     /// The answer it is held against.
+    #[serde(serialize_with = "json::number")]
     pub expected: f64,
     /// The error in the norm of the check.
+    #[serde(serialize_with = "json::number")]
     pub error: f64,
     /// The norm, for instance `relative to the peak force`.
     pub norm: String,
 }
 
 /// The history of one contact in one answer.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default)]
 pub struct Curve {
     /// Whose answer: `stock`, `replay`, `plugin` or `two-body`.
     pub answer: String,

@@ -1,0 +1,117 @@
+//! The report folder: written beside its final place, then put there whole.
+use super::{csv::Csv, html::Html, json, json::Json, junit::Junit, markdown::Markdown, Report};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// One format of the report.
+pub trait Writer {
+    /// Writes its files into `dir`, an empty or freshly begun folder.
+    fn write(&self, report: &Report, dir: &Path) -> Result<(), ReportError>;
+}
+
+const WRITERS: [&dyn Writer; 5] = [&Html, &Markdown, &Json, &Junit, &Csv];
+
+/// What those writers leave in a folder; anything else there belongs to someone else.
+const OURS: [&str; 5] = ["index.html", "report.md", "report.json", "junit.xml", "csv"];
+
+/// Why a report was not written.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A file or folder could not be made.
+    #[error("failed to write {path}: {source}")]
+    Io {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The report could not be turned into JSON or XML.
+    #[error("failed to format the report: {0}")]
+    Format(#[source] Box<dyn std::error::Error + Send + Sync>),
+    /// The place is taken by something that is not an earlier report.
+    #[error("{dir} {why}; name a new folder, or one that holds an earlier report and nothing else")]
+    Taken {
+        /// Where the report should have gone.
+        dir: PathBuf,
+        /// What is in the way.
+        why: String,
+    },
+}
+
+impl ReportError {
+    pub(super) fn io(path: &Path, source: io::Error) -> Self {
+        ReportError::Io { path: path.into(), source }
+    }
+}
+
+/// Writes all formats into the folder `dir`, which appears only when everything in it is complete.
+///
+/// An earlier report of ours is replaced; any other folder that is not empty is refused and left as it is.
+pub fn write_all(report: &Report, dir: &Path) -> Result<(), ReportError> {
+    let io = |e| ReportError::io(dir, e);
+    check_target(dir)?;
+    let target = std::path::absolute(dir).map_err(io)?;
+    let (Some(parent), Some(_)) = (target.parent(), target.file_name()) else {
+        return Err(ReportError::Taken { dir: dir.into(), why: "has no name of its own".into() });
+    };
+    fs::create_dir_all(parent).map_err(io)?;
+    // A sibling, so that the last step is a rename within one file system; it goes away when dropped.
+    let temporary = tempfile::Builder::new().prefix(".granlaw-report-").tempdir_in(parent).map_err(io)?;
+    let fresh = temporary.path().join("new");
+    fs::create_dir(&fresh).map_err(io)?;
+    for writer in WRITERS {
+        writer.write(report, &fresh)?;
+    }
+    // Someone may have put something there while the report was being written.
+    check_target(dir)?;
+    let old = temporary.path().join("old");
+    let replaced = target.exists();
+    if replaced {
+        fs::rename(&target, &old).map_err(io)?;
+    }
+    fs::rename(&fresh, &target).map_err(|e| {
+        if replaced {
+            // Best effort: the first error is the one to tell.
+            let _ = fs::rename(&old, &target);
+        }
+        io(e)
+    })
+}
+
+/// Writes one file.
+pub(super) fn save(path: &Path, content: &str) -> Result<(), ReportError> {
+    fs::write(path, content).map_err(|e| ReportError::io(path, e))
+}
+
+/// Says early, before hours of runs, whether [`write_all`] would refuse this folder.
+pub fn check_target(dir: &Path) -> Result<(), ReportError> {
+    let taken = |why: String| Err(ReportError::Taken { dir: dir.into(), why });
+    let entries = match fs::read_dir(dir) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(e) if e.kind() == io::ErrorKind::NotADirectory => return taken("is not a folder".into()),
+        Err(e) => return Err(ReportError::io(dir, e)),
+    };
+    if std::path::absolute(dir).is_ok_and(|d| std::env::current_dir().is_ok_and(|here| here.starts_with(d))) {
+        return taken("is the folder you are in".into());
+    }
+    let mut names = Vec::new();
+    for entry in entries {
+        names.push(entry.map_err(|e| ReportError::io(dir, e))?.file_name());
+    }
+    let stranger = names.iter().find(|name| !OURS.iter().any(|ours| name.as_os_str() == *ours));
+    match stranger {
+        _ if names.is_empty() => Ok(()),
+        Some(name) => taken(format!("holds {}, which no report of ours does", name.to_string_lossy())),
+        None if is_report(dir) => Ok(()),
+        None => taken("is no report of ours (it has no report.json that says so)".into()),
+    }
+}
+
+/// Whether the folder's `report.json` begins as ours do.
+fn is_report(dir: &Path) -> bool {
+    let family = json::FORMAT.trim_end_matches(|c: char| c != '/');
+    fs::read_to_string(dir.join("report.json"))
+        .is_ok_and(|text| text.chars().take(80).collect::<String>().contains(family))
+}
