@@ -14,3 +14,4 @@ pub mod laws;
 pub mod liggghts;
 pub mod near;
 pub mod report;
+pub mod trace;
