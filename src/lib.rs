@@ -13,5 +13,6 @@ pub mod law;
 pub mod laws;
 pub mod liggghts;
 pub mod near;
+pub mod pair;
 pub mod report;
 pub mod trace;

@@ -19,16 +19,14 @@ struct Prepared<L: Law> {
 
 impl<L: Law> Prepared<L> {
     /// Neighbouring contacts mostly have the same sizes, so the last fit mostly holds.
-    fn fit(&mut self, pair: usize, x: &Gap) -> L::Fit {
+    #[inline]
+    fn fit(&mut self, pair: usize, x: &Gap) -> &L::Fit {
         let size = Size { radi: x.i.radius, radj: x.j.radius, meff: x.meff, is_wall: x.call.is_wall };
-        match self.last {
-            Some((p, s, fit)) if p == pair && s == size => fit,
-            _ => {
-                let fit = L::fit(&self.coeffs[pair], &size);
-                self.last = Some((pair, size, fit));
-                fit
-            }
+        let (p, s, fit) = self.last.get_or_insert_with(|| (pair, size, L::fit(&self.coeffs[pair], &size)));
+        if *p != pair || *s != size {
+            (*p, *s, *fit) = (pair, size, L::fit(&self.coeffs[pair], &size));
         }
+        fit
     }
 }
 
@@ -39,15 +37,15 @@ fn view<H: Pod>(h: &mut [f64]) -> &mut H {
 impl<L: Law> Kernel for Prepared<L> {
     fn touch(&mut self, pair: usize, x: &Contact, h: &mut [f64], s: &mut Stage) {
         let fit = self.fit(pair, &x.gap);
-        L::touch(&fit, x, view(h), s);
+        L::touch(fit, x, view(h), s);
     }
     fn apart(&mut self, pair: usize, x: &Gap, h: &mut [f64], s: &mut Stage) {
         let fit = self.fit(pair, x);
-        L::apart(&fit, x, view(h), s);
+        L::apart(fit, x, view(h), s);
     }
     fn observe(&mut self, pair: usize, x: &Contact, h: &[f64]) -> Terms {
         let fit = self.fit(pair, &x.gap);
-        L::observe(&fit, x, bytemuck::from_bytes(bytemuck::cast_slice(h)))
+        L::observe(fit, x, bytemuck::from_bytes(bytemuck::cast_slice(h)))
     }
 }
 

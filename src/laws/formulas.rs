@@ -50,3 +50,40 @@ impl Viscous {
         self.log_e_max + self.stokes_critical / stokes
     }
 }
+
+/// The dashpot of a linear spring: fixed by the coefficient of restitution, or by the velocity with `viscous on`.
+#[derive(Clone, Copy, Debug)]
+pub struct Damper {
+    gamman: f64,
+    tangential: bool,
+    moving: Option<(Viscous, Size, f64)>,
+    law: DampingLaw,
+}
+
+/// Damping coefficient \[N s/m\] from m* \[kg\], kn \[N/m\] and ln e.
+pub type DampingLaw = fn(f64, f64, f64) -> f64;
+
+impl Damper {
+    /// For a spring `kn` between two sizes. `log_e` is not read with `viscous on`.
+    pub fn new(
+        law: DampingLaw,
+        size: &Size,
+        kn: f64,
+        log_e: f64,
+        viscous: Option<Viscous>,
+        tangential: bool,
+    ) -> Damper {
+        let gamman = if viscous.is_some() { 0.0 } else { law(size.meff, kn, log_e) };
+        Damper { gamman, tangential, moving: viscous.map(|v| (v, *size, kn)), law }
+    }
+
+    /// γn and γt \[N s/m\] at a normal velocity \[m/s\].
+    #[inline]
+    pub fn at(&self, vn: f64) -> (f64, f64) {
+        let gamman = match &self.moving {
+            None => self.gamman,
+            Some((v, size, kn)) => (self.law)(size.meff, *kn, v.log_restitution(size, vn)),
+        };
+        (gamman, if self.tangential { gamman } else { 0.0 })
+    }
+}

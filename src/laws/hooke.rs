@@ -16,7 +16,7 @@
 //!
 //! Departure: with `viscous on` LIGGGHTS divides infinity by infinity at v_n = 0 and gets NaN; here the limit
 //! `γn = sqrt(4 m* kn)` holds.
-use super::formulas::{effective_young, hooke_stiffness, Viscous};
+use super::formulas::{effective_young, hooke_stiffness, Damper, Viscous};
 use super::prop;
 use crate::lane::Lane;
 use crate::law::*;
@@ -48,6 +48,20 @@ pub struct Fit<L = f64> {
     gamman: L,
     gammat: L,
     limit_force: bool,
+}
+
+/// A fit whose dashpot still waits for the velocity.
+#[derive(Clone, Copy, Debug)]
+pub struct Fitted {
+    fit: Fit,
+    damper: Damper,
+}
+
+impl Fitted {
+    fn at(&self, vn: f64) -> Fit {
+        let (gamman, gammat) = self.damper.at(vn);
+        Fit { gamman, gammat, ..self.fit }
+    }
 }
 
 /// (E2) for `ln e`; the limit for an infinite one.
@@ -99,7 +113,7 @@ impl Law for Hooke {
     };
     type History = [f64; 0];
     type Coeffs = Coeffs;
-    type Fit = (Fit, Damper);
+    type Fit = Fitted;
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
         let viscous = Viscous::new(p);
@@ -116,18 +130,15 @@ impl Law for Hooke {
         })
     }
 
-    fn fit(c: &Coeffs, size: &Size) -> (Fit, Damper) {
+    fn fit(c: &Coeffs, size: &Size) -> Fitted {
         let kn = hooke_stiffness(c.yeff, size.reff(), size.meff, c.vc); // (E1)
-        let gamman = damping(size.meff, kn, c.log_e);
-        let gammat = if c.tangential_damping { gamman } else { 0.0 };
+        let damper = Damper::new(damping, size, kn, c.log_e, c.viscous, c.tangential_damping);
         let (k, kt) = (kn / c.nktv2p, kn * c.kt_over_kn / c.nktv2p);
-        let fit = Fit { kn: k, kt, gamman, gammat, limit_force: c.limit_force };
-        let damper = Damper { viscous: c.viscous, size: *size, kn, tangential: c.tangential_damping };
-        (fit, damper)
+        Fitted { fit: Fit { kn: k, kt, gamman: 0.0, gammat: 0.0, limit_force: c.limit_force }, damper }
     }
 
-    fn touch(f: &(Fit, Damper), x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
-        Self::touch_lanes(&f.1.at(f.0, x.surface.vn), &x.gap.call, &x.surface, h, s);
+    fn touch(f: &Fitted, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
+        Self::touch_lanes(&f.at(x.surface.vn), &x.gap.call, &x.surface, h, s);
     }
 
     fn apart(_: &Self::Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
@@ -135,7 +146,7 @@ impl Law for Hooke {
     }
 
     fn observe(f: &Self::Fit, x: &Contact, _: &[f64; 0]) -> Terms {
-        let fit = f.1.at(f.0, x.surface.vn);
+        let fit = f.at(x.surface.vn);
         Terms {
             branch: "spring",
             stiffness: fit.kn,
@@ -143,25 +154,6 @@ impl Law for Hooke {
             stored: 0.5 * fit.kn * x.surface.deltan * x.surface.deltan,
             dissipated: fit.gamman * x.surface.vn * x.surface.vn,
         }
-    }
-}
-
-/// The dashpot when it depends on the velocity (`viscous on`).
-#[derive(Clone, Copy, Debug)]
-pub struct Damper {
-    viscous: Option<Viscous>,
-    size: Size,
-    kn: f64,
-    tangential: bool,
-}
-
-impl Damper {
-    fn at(&self, mut fit: Fit, vn: f64) -> Fit {
-        if let Some(v) = &self.viscous {
-            fit.gamman = damping(self.size.meff, self.kn, v.log_restitution(&self.size, vn));
-            fit.gammat = if self.tangential { fit.gamman } else { 0.0 };
-        }
-        fit
     }
 }
 

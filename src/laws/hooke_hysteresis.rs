@@ -28,7 +28,7 @@
 //! Departures from LIGGGHTS: `coefficientMaxElasticStiffness = 1` is a linear spring (δlim infinite), where LIGGGHTS
 //! divides 0 by 0 in (6′) and, for φF = 0, in (2). `limitForce` works under our own name; LIGGGHTS reads and ignores
 //! it, and so does this law where it has taken over the stock name.
-use super::formulas::{effective_young, hooke_stiffness, Viscous};
+use super::formulas::{effective_young, hooke_stiffness, Damper, Viscous};
 use super::prop;
 use crate::lane::Lane;
 use crate::law::*;
@@ -65,13 +65,18 @@ pub struct Fit<L = f64> {
     limit_force: bool,
 }
 
-/// The dashpot when it depends on the velocity (`viscous on`).
+/// A fit whose dashpot still waits for the velocity.
 #[derive(Clone, Copy, Debug)]
-pub struct Damper {
-    viscous: Option<Viscous>,
-    size: Size,
-    kn: f64,
-    tangential: bool,
+pub struct Fitted {
+    fit: Fit,
+    damper: Damper,
+}
+
+impl Fitted {
+    fn at(&self, vn: f64) -> Fit {
+        let (gamman, gammat) = self.damper.at(vn);
+        Fit { gamman, gammat, ..self.fit }
+    }
 }
 
 const EXCEPTIONS: &[Exception] = &[
@@ -155,7 +160,7 @@ impl Law for HookeHysteresis {
     };
     type History = [f64; 1];
     type Coeffs = Coeffs;
-    type Fit = (Fit, Damper);
+    type Fit = Fitted;
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
         let viscous = Viscous::new(p);
@@ -173,21 +178,20 @@ impl Law for HookeHysteresis {
         })
     }
 
-    fn fit(c: &Coeffs, size: &Size) -> (Fit, Damper) {
+    fn fit(c: &Coeffs, size: &Size) -> Fitted {
         let reff = size.reff();
         let spring = hooke_stiffness(c.yeff, reff, size.meff, c.vc); // (1)
-        let gamman = damping(size.meff, spring, c.log_e);
-        let gammat = if c.tangential_damping { gamman } else { 0.0 };
+        let damper = Damper::new(damping, size, spring, c.log_e, c.viscous, c.tangential_damping);
         let kn = spring / c.nktv2p;
         let k2max = kn * c.k2max_over_kn; // (3)
         let delta_lim = if k2max > kn { k2max / (k2max - kn) * c.phi_f * 2.0 * reff } else { f64::INFINITY }; // (2)
         let kc = kn * c.kc_over_kn; // (5)
-        let fit = Fit { kn, k2max, kc, delta_lim, gamman, gammat, limit_force: c.limit_force };
-        (fit, Damper { viscous: c.viscous, size: *size, kn: spring, tangential: c.tangential_damping })
+        let fit = Fit { kn, k2max, kc, delta_lim, gamman: 0.0, gammat: 0.0, limit_force: c.limit_force };
+        Fitted { fit, damper }
     }
 
-    fn touch(f: &(Fit, Damper), x: &Contact, h: &mut [f64; 1], s: &mut Stage) {
-        Self::touch_lanes(&f.1.at(f.0, x.surface.vn), &x.gap.call, &x.surface, h, s);
+    fn touch(f: &Fitted, x: &Contact, h: &mut [f64; 1], s: &mut Stage) {
+        Self::touch_lanes(&f.at(x.surface.vn), &x.gap.call, &x.surface, h, s);
     }
 
     fn apart(_: &Self::Fit, _: &Gap, h: &mut [f64; 1], s: &mut Stage) {
@@ -196,7 +200,7 @@ impl Law for HookeHysteresis {
     }
 
     fn observe(f: &Self::Fit, x: &Contact, h: &[f64; 1]) -> Terms {
-        let (fit, delta) = (f.1.at(f.0, x.surface.vn), x.surface.deltan);
+        let (fit, delta) = (f.at(x.surface.vn), x.surface.deltan);
         let delta_max = delta.max(h[0]);
         let (force, branch) = spring(&fit, delta, delta_max);
         let k2 = unloading(&fit, delta_max);
@@ -215,16 +219,6 @@ impl Law for HookeHysteresis {
 /// (8); 1/∞ = 0 for e = 1.
 fn damping(meff: f64, kn: f64, log_e: f64) -> f64 {
     (4.0 * meff * kn / (1.0 + (PI / log_e) * (PI / log_e))).sqrt()
-}
-
-impl Damper {
-    fn at(&self, mut fit: Fit, vn: f64) -> Fit {
-        if let Some(v) = &self.viscous {
-            fit.gamman = damping(self.size.meff, self.kn, v.log_restitution(&self.size, vn));
-            fit.gammat = if self.tangential { fit.gamman } else { 0.0 };
-        }
-        fit
-    }
 }
 
 /// (4).

@@ -10,7 +10,7 @@ use std::slice::from_raw_parts;
 
 /// # Safety
 /// `p` is NULL or leads to `n` values.
-unsafe fn slice<'a, T>(p: *const T, n: usize) -> &'a [T] {
+pub unsafe fn slice<'a, T>(p: *const T, n: usize) -> &'a [T] {
     if p.is_null() || n == 0 {
         return &[];
     }

@@ -7,9 +7,9 @@
 #[allow(non_snake_case, missing_docs, dead_code)]
 #[rustfmt::skip]
 pub mod abi;
-mod convert;
+pub mod convert;
 mod descriptor;
-mod status;
+pub mod status;
 
 use abi::*;
 use granlaw::chain::{Chain, Marks};

@@ -1,1 +1,14 @@
-//! The boundary.
+//! The plugin `libgranlaw_liggghts.so`: the Rust half of what `cpp/` does inside LIGGGHTS.
+#![warn(clippy::undocumented_unsafe_blocks)]
+
+// The C interface must be part of this library: the C++ half calls it.
+pub use granlaw_capi::*;
+
+mod recorder;
+
+#[cfg(liggghts)]
+#[used]
+static MARKER: &[u8] = b"granlaw-plugin abi=1 liggghts=3.8.0 end";
+#[cfg(not(liggghts))]
+#[used]
+static MARKER: &[u8] = b"granlaw-plugin abi=1 liggghts=none end";

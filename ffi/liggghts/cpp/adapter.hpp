@@ -1,0 +1,216 @@
+// A Rust law inside LIGGGHTS: settings, properties and history by its descriptor, contacts by granlaw.h.
+// One class for all four kinds of law; it knows none by name. SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef GRANLAW_ADAPTER_HPP
+#define GRANLAW_ADAPTER_HPP
+
+#include "host.hpp"
+
+namespace granlaw {
+
+// One law with what the deck says of it.
+class Law {
+ public:
+  Law(LAMMPS *lmp, IContactHistorySetup *history, size_t index, bool taken_over)
+      : lmp_(lmp), index_(index), taken_over_(taken_over), d_(*granlaw_law_at(index)),
+        on_(new bool[d_.n_settings + 1]()), options_(d_.n_settings, -1), values_(d_.n_props), offset_(0) {
+    for (size_t k = 0; k < d_.n_slots; k++) {
+      const int at = history->add_history_value(d_.slots[k].name, d_.slots[k].newton);
+      if (k == 0) offset_ = at;
+    }
+  }
+
+  const granlaw_law &descriptor() const { return d_; }
+  bool taken_over() const { return taken_over_; }
+  int offset() const { return offset_; }
+  const char *name() const { return taken_over_ ? d_.keyword : d_.own_keyword; }
+  const std::vector<int32_t> &options() const { return options_; }
+  const std::vector<std::vector<double> > &values() const { return values_; }
+
+  void registerSettings(Settings &settings) {
+    for (size_t k = 0; k < d_.n_settings; k++)
+      if (offered(k) && is_switch(k)) settings.registerOnOff(d_.settings[k].name, on_[k], d_.settings[k].default_option == 1);
+  }
+
+  // Takes a setting whose options are words of its own; LIGGGHTS's Settings only knows on/off, yes/no and numbers.
+  bool take(const char *name, const char *option) {
+    for (size_t k = 0; k < d_.n_settings; k++) {
+      if (!offered(k) || is_switch(k) || strcmp(d_.settings[k].name, name)) continue;
+      for (size_t o = 0; o < d_.settings[k].n_options; o++)
+        if (!strcmp(d_.settings[k].options[o], option)) {
+          options_[k] = static_cast<int32_t>(o);
+          return true;
+        }
+    }
+    return false;
+  }
+
+  void postSettings() {
+    for (size_t k = 0; k < d_.n_settings; k++) {
+      if (!offered(k) || !is_switch(k)) continue;
+      options_[k] = on_[k] ? 1 : 0;
+      if (on_[k] && taken_over_ && d_.settings[k].support == GRANLAW_SUPPORT_STOCK_IGNORES && lmp_->comm->me == 0) {
+        const std::string text = std::string(d_.keyword) + ": LIGGGHTS reads the setting " + d_.settings[k].name +
+                                 " and ignores it, so it has no effect here either; use " + d_.own_keyword + " for it";
+        lmp_->error->warning(GRANLAW_HERE, text.c_str());
+      }
+    }
+  }
+
+  void connectToProperties(PropertyRegistry &registry) {
+    if (!d_.coarse_graining && lmp_->force->cg_active())
+      lmp_->error->cg(GRANLAW_HERE, (std::string("model ") + name()).c_str());
+    for (size_t k = 0; k < d_.n_props; k++) {
+      values_[k].clear();
+      if (granlaw_needs_property(index_, taken_over_, options_.data(), k)) read(registry, d_.props[k], values_[k]);
+    }
+    pointers_.clear();
+    for (const std::vector<double> &v : values_) pointers_.push_back(v.empty() ? nullptr : v.data());
+  }
+
+  granlaw_choice choice() const {
+    return granlaw_choice{index_, taken_over_, options_.data(), pointers_.data(), static_cast<size_t>(offset_)};
+  }
+
+ private:
+  bool is_switch(size_t k) const {
+    const granlaw_setting &s = d_.settings[k];
+    return s.n_options == 2 && !strcmp(s.options[0], "off") && !strcmp(s.options[1], "on");
+  }
+  bool offered(size_t k) const { return !taken_over_ || d_.settings[k].support != GRANLAW_SUPPORT_OWN_ONLY; }
+
+  // A property that LIGGGHTS knows is read by LIGGGHTS's own creator, so that its checks and messages hold.
+  struct Known {
+    const char *name;
+    ScalarPropertyCreator scalar;
+    VectorPropertyCreator vector;
+    MatrixPropertyCreator matrix;
+  };
+  static const Known *known(const char *name) {
+    using namespace MODEL_PARAMS;
+    static const Known all[] = {
+        {"youngsModulus", nullptr, &createYoungsModulus, nullptr},
+        {"poissonsRatio", nullptr, &createPoissonsRatio, nullptr},
+        {"characteristicVelocity", &createCharacteristicVelocity, nullptr, nullptr},
+        {"coefficientRestitution", nullptr, nullptr, &createCoeffRest},
+        {"coefficientFriction", nullptr, nullptr, &createCoeffFrict},
+        {"coefficientRollingFriction", nullptr, nullptr, &createCoeffRollFrict},
+        {"coefficientMaxElasticStiffness", nullptr, nullptr, &createCoeffMaxElasticStiffness},
+        {"coefficientAdhesionStiffness", nullptr, nullptr, &createCoeffAdhesionStiffness},
+        {"coefficientPlasticityDepth", nullptr, nullptr, &createCoeffPlasticityDepth},
+        {"FluidViscosity", nullptr, nullptr, &createCoeffMu},
+        {"MaximumRestitution", nullptr, nullptr, &createCoeffRestMax},
+        {"CriticalStokes", nullptr, nullptr, &createCoeffStc},
+    };
+    for (const Known &k : all)
+      if (!strcmp(k.name, name)) return &k;
+    return nullptr;
+  }
+
+  void read(PropertyRegistry &registry, const granlaw_prop &p, std::vector<double> &out) const {
+    const int n = registry.max_type();
+    const std::string caller = std::string("model ") + name();
+    const std::string key = std::string("granlaw:") + p.name;
+    const Known *k = known(p.name);
+    if (p.shape == GRANLAW_SCALAR) {
+      if (k) registry.registerProperty(key, k->scalar);
+      out.push_back(k ? registry.getScalarProperty(key, caller.c_str())->data
+                      : registry.getGlobalProperty(p.name, "property/global", "scalar", 0, 0, caller.c_str())->compute_scalar());
+    } else if (p.shape == GRANLAW_PER_TYPE) {
+      if (k) registry.registerProperty(key, k->vector);
+      const double *v = k ? registry.getVectorProperty(key, caller.c_str())->data : nullptr;
+      FixPropertyGlobal *own = k ? nullptr : registry.getGlobalProperty(p.name, "property/global", "peratomtype", n, 0, caller.c_str());
+      for (int i = 1; i <= n; i++) out.push_back(k ? v[i] : own->compute_vector(i - 1));
+    } else {
+      if (k) registry.registerProperty(key, k->matrix);
+      double **m = k ? registry.getMatrixProperty(key, caller.c_str())->data : nullptr;
+      FixPropertyGlobal *own = k ? nullptr : registry.getGlobalProperty(p.name, "property/global", "peratomtypepair", n, n, caller.c_str());
+      for (int i = 1; i <= n; i++)
+        for (int j = 1; j <= n; j++) out.push_back(k ? m[i][j] : own->compute_array(i - 1, j - 1));
+    }
+  }
+
+  LAMMPS *lmp_;
+  size_t index_;
+  bool taken_over_;
+  const granlaw_law &d_;
+  std::unique_ptr<bool[]> on_;
+  std::vector<int32_t> options_;
+  std::vector<std::vector<double> > values_;
+  std::vector<const double *> pointers_;
+  int offset_;
+};
+
+// Rust laws that follow each other in a chain, run by one call.
+class Segment {
+ public:
+  // `parent` is the PairGran or FixWallGran that the contacts come from.
+  Segment(LAMMPS *lmp, IContactHistorySetup *parent)
+      : lmp_(lmp), pair_(dynamic_cast<PairGran *>(parent)), chain_(nullptr) {}
+  Segment(const Segment &) = delete;
+  ~Segment() { granlaw_free(chain_); }
+
+  Law &add(IContactHistorySetup *history, size_t index, bool taken_over) {
+    laws_.emplace_back(new Law(lmp_, history, index, taken_over));
+    return *laws_.back();
+  }
+
+  void connectToProperties(PropertyRegistry &registry) {
+    std::vector<granlaw_choice> choices;
+    for (const auto &law : laws_) {
+      law->connectToProperties(registry);
+      choices.push_back(law->choice());
+    }
+    granlaw_free(chain_);
+    const granlaw_setup setup = {choices.data(), choices.size(), static_cast<size_t>(registry.max_type()), lmp_->force->nktv2p};
+    if (granlaw_prepare(&setup, &chain_) != GRANLAW_OK) lmp_->error->all(GRANLAW_HERE, granlaw_last_error());
+  }
+
+  void beginPass() {
+    const LAMMPS_NS::Atom *atom = lmp_->atom;
+    const granlaw_pass pass = {lmp_->update->dt, static_cast<int64_t>(lmp_->update->ntimestep),
+                               atom->x ? atom->x[0] : nullptr, atom->tag};
+    check(granlaw_begin_pass(chain_, &pass));
+  }
+  void endPass() { check(granlaw_end_pass(chain_)); }
+
+  void surfacesIntersect(SurfacesIntersectData &s, ForceData &i_forces, ForceData &j_forces) {
+    if (s.is_wall) beginPass();  // walls never announce a pass
+    check(granlaw_surfaces_intersect(chain_, mirror(s), mirror(i_forces), mirror(j_forces)));
+  }
+
+  void surfacesClose(SurfacesCloseData &s, ForceData &i_forces, ForceData &j_forces) {
+    if (s.is_wall) beginPass();
+    LAMMPS_NS::Atom *atom = lmp_->atom;
+    s.omega_i = atom->omega[s.i];  // stale or unset in LIGGGHTS
+    double meff = mass(s.i);
+    if (!s.is_wall) {
+      s.omega_j = atom->omega[s.j];
+      const int frozen = pair_ ? pair_->freeze_group_bit() : 0;
+      const double mi = meff, mj = mass(s.j);
+      meff = mi * mj / (mi + mj);
+      if (atom->mask[s.i] & frozen) meff = mj;
+      if (atom->mask[s.j] & frozen) meff = mi;
+    }
+    check(granlaw_surfaces_close(chain_, mirror(s), meff, mirror(i_forces), mirror(j_forces)));
+  }
+
+  const std::vector<std::unique_ptr<Law> > &laws() const { return laws_; }
+
+ private:
+  double mass(int i) const {
+    const LAMMPS_NS::Atom *atom = lmp_->atom;
+    if (pair_ && pair_->fr_pair() && pair_->mr_pair()[i] > 0.0) return pair_->mr_pair()[i];
+    return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+  }
+  void check(granlaw_status status) {
+    if (status != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
+  }
+
+  LAMMPS *lmp_;
+  PairGran *pair_;
+  granlaw_chain *chain_;
+  std::vector<std::unique_ptr<Law> > laws_;
+};
+
+}  // namespace granlaw
+#endif

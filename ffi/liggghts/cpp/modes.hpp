@@ -1,0 +1,71 @@
+// How the plugin was asked to run, and the numbers of laws. SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef GRANLAW_MODES_HPP
+#define GRANLAW_MODES_HPP
+
+#include <cstdlib>
+#include "link.hpp"
+
+namespace granlaw {
+
+// own: only the /rs names are ours. rust: our laws stand behind the stock names too.
+// stock: the stock names keep the stock laws, but in our chain, where they can be recorded.
+enum class Laws { own, rust, stock };
+
+struct Mode {
+  Laws laws = Laws::own;
+  std::string record;  // path of the trace, empty for none
+  uint64_t every = 1;
+  std::string deck;
+  std::string trouble;  // what is wrong with the environment
+};
+
+inline const Mode &mode() {
+  static const Mode m = [] {
+    Mode m;
+    const auto get = [](const char *name) {
+      const char *v = getenv(name);
+      return std::string(v ? v : "");
+    };
+    const std::string laws = get("GRANLAW_LAWS");
+    if (laws == "rust") m.laws = Laws::rust;
+    else if (laws == "stock") m.laws = Laws::stock;
+    else if (!laws.empty() && laws != "own") m.trouble = "GRANLAW_LAWS=" + laws + " must be own, rust or stock";
+    m.record = get("GRANLAW_RECORD");
+    m.deck = get("GRANLAW_DECK");
+    const std::string every = get("GRANLAW_EVERY");
+    if (!every.empty()) {
+      char *end = nullptr;
+      m.every = strtoull(every.c_str(), &end, 10);
+      if (*end || m.every == 0) m.trouble = "GRANLAW_EVERY=" + every + " must be a whole number of at least 1";
+    }
+    return m;
+  }();
+  return m;
+}
+
+// A stock name that is taken over gets the stock number plus this; our own numbers begin at 48.
+constexpr int TAKEN = 32;
+inline bool taken(int id) { return id >= TAKEN && id < 48; }
+
+// Kinds lie in LIGGGHTS's hash code in another order than they run: normal, tangential, cohesion, rolling, surface.
+inline int shift(int32_t kind) {
+  static const int at[] = {0, 12, 6, 18, 24};
+  return at[kind];
+}
+inline int id(int64_t hash, int32_t kind) { return static_cast<int>((hash >> shift(kind)) & 63); }
+inline int off(int32_t kind) {
+  static const int none[] = {NORMAL_OFF, COHESION_OFF, TANGENTIAL_OFF, ROLLING_OFF};
+  return none[kind];
+}
+
+// The index of the Rust law with a number, or -1 where the number is the stock law's own.
+inline int law_of(int32_t kind, int id) {
+  for (size_t k = 0; k < granlaw_law_count(); k++) {
+    const granlaw_law &d = *granlaw_law_at(k);
+    if (d.kind == kind && (d.id == id || (taken(id) && d.stock_id == id - TAKEN))) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+}  // namespace granlaw
+#endif

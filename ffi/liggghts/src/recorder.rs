@@ -1,0 +1,262 @@
+//! Writes what the C++ half sees of a chain into a trace. The structs are those of `cpp/recorder.hpp`, field by field.
+use granlaw::law::{Gap, Settings, Surface};
+use granlaw::laws::LAWS;
+use granlaw::trace::{Handed, Header, LawSpec, Particle, Property, Row, TraceError, Writer};
+use granlaw_capi::abi::{granlaw_force_data, granlaw_pass, granlaw_status, granlaw_surfaces_intersect_data};
+use granlaw_capi::convert::{contact, gap, settings, slice};
+use granlaw_capi::status::{boundary, Failure};
+use nalgebra::Vector3;
+use std::ffi::{c_char, CStr};
+use std::fs::File;
+use std::path::PathBuf;
+
+/// A trace that is being written.
+pub struct Recorder {
+    path: PathBuf,
+    header: Header,
+    /// Opened when the first contact pass begins, because the head names the particles.
+    writer: Option<Writer<File>>,
+}
+
+#[repr(C)]
+pub struct RecordedLaw {
+    kind: i32,
+    index: i32,
+    keyword: *const c_char,
+    taken_over: bool,
+    offset: usize,
+    options: *const i32,
+    values: *const *const f64,
+}
+
+#[repr(C)]
+pub struct RecordedChain {
+    path: *const c_char,
+    liggghts: *const c_char,
+    deck: *const c_char,
+    units: *const c_char,
+    who: *const c_char,
+    rank: i32,
+    ranks: i32,
+    every: u64,
+    types: usize,
+    nktv2p: f64,
+    dt: f64,
+    laws: *const RecordedLaw,
+    n_laws: usize,
+    slots: *const *const c_char,
+    n_slots: usize,
+}
+
+#[repr(C)]
+pub struct RecordedParticles {
+    n: usize,
+    tag: *const i32,
+    kind: *const i32,
+    radius: *const f64,
+    mass: *const f64,
+    x: *const f64,
+    v: *const f64,
+    omega: *const f64,
+}
+
+#[repr(C)]
+pub struct RecordedCall {
+    pass: *const granlaw_pass,
+    contact: *const granlaw_surfaces_intersect_data,
+    touch: bool,
+    meff: f64,
+    before: *const f64,
+    after: *const f64,
+    i_forces: *const granlaw_force_data,
+    j_forces: *const granlaw_force_data,
+}
+
+fn failed(e: TraceError) -> Failure {
+    Failure::refused(format!("granlaw: recording failed: {e}"))
+}
+
+/// # Safety
+/// `s` is a C string or NULL.
+unsafe fn text(s: *const c_char) -> String {
+    if s.is_null() {
+        return String::new();
+    }
+    // SAFETY: as the caller promises.
+    unsafe { CStr::from_ptr(s) }.to_string_lossy().into_owned()
+}
+
+/// # Safety
+/// Pointers and lengths of `c` belong together.
+unsafe fn header(c: &RecordedChain) -> Result<Header, Failure> {
+    // SAFETY: as the caller promises, in this block.
+    unsafe {
+        let laws = slice(c.laws, c.n_laws).iter().map(|l| law(l, c.types)).collect::<Result<_, _>>()?;
+        Ok(Header {
+            granlaw: env!("CARGO_PKG_VERSION").into(),
+            liggghts: text(c.liggghts),
+            deck: text(c.deck),
+            units: text(c.units),
+            who: text(c.who),
+            rank: c.rank as usize,
+            ranks: c.ranks as usize,
+            every: c.every,
+            types: c.types,
+            nktv2p: c.nktv2p,
+            dt: c.dt,
+            slots: slice(c.slots, c.n_slots).iter().map(|s| text(*s)).collect(),
+            laws,
+            ..Header::default()
+        })
+    }
+}
+
+/// # Safety
+/// As [`header`].
+unsafe fn law(l: &RecordedLaw, types: usize) -> Result<LawSpec, Failure> {
+    let kind = granlaw::law::Kind::ALL[l.kind as usize].name().to_string();
+    // SAFETY: as the caller promises.
+    let keyword = unsafe { text(l.keyword) };
+    let mut spec =
+        LawSpec { kind, keyword, taken_over: l.taken_over, offset: l.offset, ..LawSpec::default() };
+    if l.index < 0 {
+        return Ok(spec);
+    }
+    spec.known = true;
+    let meta = LAWS[l.index as usize].meta;
+    // SAFETY: one option per setting and one pointer per property of that law.
+    let (chosen, values) =
+        unsafe { (settings(l.index as usize, l.taken_over, l.options)?, slice(l.values, meta.props.len())) };
+    spec.settings = options(&chosen);
+    for (p, v) in meta.props.iter().zip(values).filter(|(_, v)| !v.is_null()) {
+        // SAFETY: as many values as the shape says.
+        let values = unsafe { slice(*v, p.shape.len(types)) }.to_vec();
+        let (name, unit, shape) = (p.name.into(), p.unit.label.into(), p.shape.keyword().into());
+        spec.properties.push(Property { name, unit, shape, values });
+    }
+    Ok(spec)
+}
+
+fn options(s: &Settings) -> std::collections::BTreeMap<String, String> {
+    s.chosen().map(|(name, option)| (name.to_string(), option.to_string())).collect()
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_record_open(c: *const RecordedChain, out: *mut *mut Recorder) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (c, out) = unsafe { (&*c, &mut *out) };
+        // SAFETY: as above.
+        let (path, header) = unsafe { (PathBuf::from(text(c.path)), header(c)?) };
+        *out = Box::into_raw(Box::new(Recorder { path, header, writer: None }));
+        Ok(())
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_record_again(r: *mut Recorder, c: *const RecordedChain) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (r, mut header) = unsafe { (&mut *r, header(&*c)?) };
+        header.particles = r.header.particles.clone();
+        if header == r.header {
+            return Ok(());
+        }
+        r.header = header;
+        match &mut r.writer {
+            Some(w) => w.header(&r.header).map_err(failed),
+            None => Ok(()),
+        }
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_record_begin(r: *mut Recorder, p: *const RecordedParticles) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers; the arrays have n particles.
+        let (r, p) = unsafe { (&mut *r, &*p) };
+        // SAFETY: as above.
+        r.header.particles = unsafe { particles(p) };
+        r.writer = Some(Writer::create(&r.path, &r.header).map_err(failed)?);
+        Ok(())
+    })
+}
+
+/// # Safety
+/// The arrays have `p.n` particles.
+unsafe fn particles(p: &RecordedParticles) -> Vec<Particle> {
+    let three = |v: &[f64], k: usize| Vector3::new(v[3 * k], v[3 * k + 1], v[3 * k + 2]);
+    // SAFETY: as the caller promises, in this block.
+    let (tag, kind, radius, mass, x, v, omega) = unsafe {
+        let n = p.n;
+        let s = (slice(p.tag, n), slice(p.kind, n), slice(p.radius, n), slice(p.mass, n));
+        (s.0, s.1, s.2, s.3, slice(p.x, 3 * n), slice(p.v, 3 * n), slice(p.omega, 3 * n))
+    };
+    let one = |k: usize| Particle {
+        tag: tag[k].into(),
+        kind: kind[k] as usize - 1,
+        radius: radius[k],
+        mass: mass[k],
+        x: three(x, k),
+        v: three(v, k),
+        omega: three(omega, k),
+    };
+    (0..p.n).map(one).collect()
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_record_call(r: *mut Recorder, c: *const RecordedCall) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (r, c) = unsafe { (&mut *r, &*c) };
+        // SAFETY: as above; before and after have one number per slot.
+        let row = unsafe { row(c, r.header.slots.len()) };
+        let writer = r.writer.as_mut().ok_or(Failure::misuse("a call before the recording began"))?;
+        writer.row(&row).map_err(failed)
+    })
+}
+
+/// # Safety
+/// Pointers of `c` are valid; histories have `n` numbers.
+unsafe fn row(c: &RecordedCall, n: usize) -> Row {
+    // SAFETY: as the caller promises, in this block.
+    let (pass, s, before, after, fi, fj) =
+        unsafe { (&*c.pass, &*c.contact, slice(c.before, n), slice(c.after, n), &*c.i_forces, &*c.j_forces) };
+    let (gap, surface, handed): (Gap, Surface, Handed) = if c.touch {
+        // SAFETY: the contact is LIGGGHTS's own and matches the pass.
+        let x = unsafe { contact(pass, s) };
+        let handed = Handed { fn_: s.Fn, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat };
+        (x.gap, x.surface, handed)
+    } else {
+        // SAFETY: as above.
+        (unsafe { gap(pass, &s.close, c.meff) }, Surface::default(), Handed::default())
+    };
+    Row {
+        computeflag: s.close.computeflag,
+        shearupdate: s.close.shearupdate,
+        touch: c.touch,
+        types: (s.close.itype as usize - 1, s.close.jtype as usize - 1),
+        gap,
+        surface,
+        before: before.to_vec(),
+        after: after.to_vec(),
+        handed,
+        force_i: fi.delta_F.into(),
+        torque_i: fi.delta_torque.into(),
+        force_j: fj.delta_F.into(),
+        torque_j: fj.delta_torque.into(),
+        has_force: c.touch || s.close.has_force_update,
+    }
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_record_close(r: *mut Recorder) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the pointer came from granlaw_record_open and is not used again.
+        let r = unsafe { Box::from_raw(r) };
+        match r.writer {
+            Some(w) => w.finish().map_err(failed),
+            None => Ok(()),
+        }
+    })
+}
