@@ -9,6 +9,7 @@ pub mod hooke;
 pub mod hooke_hysteresis;
 pub mod no_history;
 pub mod prop;
+pub mod table;
 
 /// All laws, one line each. A law that is not here does not exist.
 pub static LAWS: &[Entry] = &[

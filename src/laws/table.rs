@@ -1,0 +1,36 @@
+//! The table of laws in the README.
+use super::LAWS;
+use crate::law::{Kind, Meta, Support};
+use std::fmt::Write;
+
+/// One row per law: how it is selected, what it is, what it asks for.
+pub fn markdown() -> String {
+    let mut out =
+        String::from("| in a deck | what it is | properties | settings | history |\n|---|---|---|---|---|\n");
+    for kind in Kind::ALL {
+        for m in LAWS.iter().map(|e| e.meta).filter(|m| m.kind == kind) {
+            writeln!(out, "| {} |", cells(m).join(" | ")).expect("a String takes everything");
+        }
+    }
+    out
+}
+
+fn cells(m: &Meta) -> [String; 5] {
+    let settings = m.settings.iter().filter(|s| s.support != Support::Refused).map(|s| s.name);
+    [
+        format!("`{} {}`", m.kind.keyword(), m.called(false)),
+        m.summary.into(),
+        names(m.props.iter().map(|p| p.name)),
+        names(settings),
+        names(m.slots.iter().map(|s| s.name)),
+    ]
+}
+
+fn names<'a>(of: impl Iterator<Item = &'a str>) -> String {
+    let all: Vec<_> = of.map(|n| format!("`{n}`")).collect();
+    if all.is_empty() {
+        "none".into()
+    } else {
+        all.join(" ")
+    }
+}
