@@ -2,11 +2,13 @@
 //!
 //! The rooms: [`law`] says what a law is, [`laws`] holds one file per law, [`lane`] the numbers their hot functions are
 //! written in, [`chain`] runs the chosen laws over one contact, [`deck`] reads what a LIGGGHTS input asks to be checked,
-//! [`liggghts`] runs it, [`report`] writes what was found.
+//! [`liggghts`] runs it, [`trace`] keeps what LIGGGHTS did, [`replay`] does
+//! that again with the laws here, [`compare`] says where two answers differ, [`report`] writes what was found.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod chain;
+pub mod compare;
 pub mod deck;
 pub mod lane;
 pub mod law;
@@ -14,5 +16,6 @@ pub mod laws;
 pub mod liggghts;
 pub mod near;
 pub mod pair;
+pub mod replay;
 pub mod report;
 pub mod trace;

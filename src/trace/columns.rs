@@ -11,11 +11,11 @@ pub struct Column {
     pub unit: &'static str,
     /// What it is.
     pub doc: &'static str,
-    pub(super) cell: fn(&mut Row) -> Cell<'_>,
+    pub(crate) cell: fn(&mut Row) -> Cell<'_>,
 }
 
 /// A place in a row.
-pub(super) enum Cell<'a> {
+pub(crate) enum Cell<'a> {
     Flag(&'a mut bool),
     Small(&'a mut i32),
     Whole(&'a mut i64),

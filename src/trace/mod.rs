@@ -17,6 +17,7 @@ mod read;
 mod tests;
 mod write;
 
+pub(crate) use columns::Cell;
 pub use columns::{column_names, columns_markdown, Column, COLUMNS};
 pub use error::TraceError;
 pub use header::{Header, HeaderError, LawSpec, Particle, Property};

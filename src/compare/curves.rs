@@ -1,0 +1,107 @@
+//! Histories to plot, collected while rows go by.
+use crate::report::Curve;
+use crate::trace::Row;
+
+/// Follows the first contact that touches, in two answers, with at most [`Follow::POINTS`] points.
+#[derive(Debug, Default)]
+pub struct Follow {
+    contact: Option<(i64, i64)>,
+    points: Vec<Point>,
+    seen: usize,
+    stride: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    time: f64,
+    overlap: [f64; 2],
+    force: [f64; 2],
+}
+
+impl Follow {
+    /// Beyond this number every other point is dropped, and from then on not taken.
+    pub const POINTS: usize = 20_000;
+
+    /// A row of the first answer with overlap and normal force of the second.
+    pub fn row(&mut self, row: &Row, overlap: f64, force: f64) {
+        let (i, j) = (row.gap.i.tag, row.gap.j.tag);
+        let tags = (i.min(j), i.max(j));
+        if row.touch && self.contact.is_none() {
+            self.contact = Some(tags);
+            self.stride = 1;
+        }
+        if self.contact != Some(tags) {
+            return;
+        }
+        self.seen += 1;
+        if !(self.seen - 1).is_multiple_of(self.stride) {
+            return;
+        }
+        if self.points.len() == Follow::POINTS {
+            let mut k = 0;
+            self.points.retain(|_| {
+                k += 1;
+                k % 2 == 1
+            });
+            self.stride *= 2;
+        }
+        let call = &row.gap.call;
+        self.points.push(Point {
+            time: call.step as f64 * call.dt,
+            overlap: [row.surface.deltan, overlap],
+            force: [row.handed.fn_, force],
+        });
+    }
+
+    /// The two histories; the second with its difference from the first relative to the peak force.
+    pub fn curves(&self, answers: [&str; 2]) -> [Curve; 2] {
+        let peak = self.points.iter().map(|p| p.force[0].abs()).fold(0.0, f64::max);
+        [0, 1].map(|k| Curve {
+            answer: answers[k].to_string(),
+            time: self.points.iter().map(|p| p.time).collect(),
+            overlap: self.points.iter().map(|p| p.overlap[k]).collect(),
+            force: self.points.iter().map(|p| p.force[k]).collect(),
+            error: match k {
+                0 => Vec::new(),
+                _ => self.points.iter().map(|p| relative(p.force[1] - p.force[0], peak)).collect(),
+            },
+        })
+    }
+}
+
+fn relative(difference: f64, peak: f64) -> f64 {
+    if difference == 0.0 {
+        0.0
+    } else {
+        difference.abs() / peak
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_contact_is_followed_and_long_histories_are_thinned_evenly() {
+        let mut follow = Follow::default();
+        let n = 3 * Follow::POINTS;
+        for step in 0..n {
+            for partner in [2, 3] {
+                let mut row = Row { touch: true, ..Row::default() };
+                (row.gap.call.step, row.gap.call.dt) = (step as i64, 0.5);
+                (row.gap.i.tag, row.gap.j.tag) = if step % 2 == 0 { (1, partner) } else { (partner, 1) };
+                (row.surface.deltan, row.handed.fn_) = (partner as f64, step as f64);
+                follow.row(&row, partner as f64, step as f64 * 1.5);
+            }
+        }
+        let [stock, replay] = follow.curves(["stock", "replay"]);
+        assert!(stock.time.len() > Follow::POINTS / 2 && stock.time.len() <= Follow::POINTS);
+        let gaps: Vec<_> = stock.time.windows(2).map(|w| w[1] - w[0]).collect();
+        assert!(gaps.iter().all(|g| *g == gaps[0]), "uneven: {:?}", &gaps[..4]);
+        assert!(stock.overlap.iter().all(|d| *d == 2.0), "another contact got in");
+        assert!(stock.error.is_empty());
+        let last = stock.force.len() - 1;
+        assert_eq!(replay.force[last], 1.5 * stock.force[last]);
+        assert_eq!(replay.error[last], 0.5);
+    }
+}

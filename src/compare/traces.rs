@@ -1,0 +1,107 @@
+//! Two traces of the same chain, row by row.
+use super::{CompareError, Follow, Quantity, Spot};
+use crate::report::Curve;
+use crate::trace::{Cell, Reader, Row, COLUMNS};
+use std::path::Path;
+
+/// How two traces compare.
+#[derive(Clone, Debug)]
+pub struct Traces {
+    /// Rows compared.
+    pub rows: u64,
+    /// Every column: inputs, results and history.
+    pub quantities: Vec<Quantity>,
+    /// The first row that the other trace does not have there; nothing behind it was compared.
+    pub stray: Option<Stray>,
+    /// The first contact in both.
+    pub curves: [Curve; 2],
+}
+
+/// A row without a counterpart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stray {
+    /// What the trace on trial has; `None` where it ends.
+    pub got: Option<Spot>,
+    /// What the other has; `None` where it ends.
+    pub expected: Option<Spot>,
+}
+
+impl Traces {
+    /// Whether both have the same rows with the same numbers.
+    pub fn identical(&self) -> bool {
+        self.stray.is_none() && self.quantities.iter().all(Quantity::identical)
+    }
+
+    /// The largest error of all columns, each relative to its peak; infinite if the rows differ.
+    pub fn error(&self) -> f64 {
+        match self.stray {
+            Some(_) => f64::INFINITY,
+            None => Quantity::worst_of(&self.quantities).map_or(0.0, Quantity::error),
+        }
+    }
+}
+
+/// Compare two traces; the second is the one held against, and `answers` names the two for the curves.
+///
+/// # Errors
+/// If either cannot be read.
+pub fn traces(got: &Path, expected: &Path, answers: [&str; 2]) -> Result<Traces, CompareError> {
+    let (mut a, mut b) = (Reader::open(got)?, Reader::open(expected)?);
+    let slots = &b.header().slots;
+    let names = COLUMNS.iter().map(|c| c.name.to_string());
+    let history = ["before", "after"].into_iter().flat_map(|w| slots.iter().map(move |s| format!("{w}.{s}")));
+    let mut quantities: Vec<_> = names.chain(history).map(Quantity::new).collect();
+    let (mut x, mut y) = (Row::default(), Row::default());
+    let (mut rows, mut stray, mut follow) = (0, None, Follow::default());
+    loop {
+        let (more_a, more_b) = (a.read(&mut x)?, b.read(&mut y)?);
+        if !more_a && !more_b {
+            break;
+        }
+        let spots = [more_a.then(|| spot(&x, a.line())), more_b.then(|| spot(&y, b.line()))];
+        let same = more_a && more_b && key(&x) == key(&y) && x.before.len() == y.before.len();
+        if !same {
+            stray = Some(Stray { got: spots[0], expected: spots[1] });
+            break;
+        }
+        rows += 1;
+        follow.row(&y, x.surface.deltan, x.handed.fn_);
+        row(&mut quantities, spot(&y, b.line()), &mut x, &mut y);
+    }
+    let [expected, got] = follow.curves([answers[1], answers[0]]);
+    Ok(Traces { rows, quantities, stray, curves: [got, expected] })
+}
+
+fn key(r: &Row) -> (i64, i64, i64, bool) {
+    (r.gap.call.step, r.gap.i.tag, r.gap.j.tag, r.touch)
+}
+
+fn spot(r: &Row, line: u64) -> Spot {
+    Spot { step: r.gap.call.step, tags: (r.gap.i.tag, r.gap.j.tag), line }
+}
+
+fn row(quantities: &mut [Quantity], spot: Spot, x: &mut Row, y: &mut Row) {
+    let (columns, history) = quantities.split_at_mut(COLUMNS.len());
+    for (q, c) in columns.iter_mut().zip(COLUMNS) {
+        match ((c.cell)(x), (c.cell)(y)) {
+            (Cell::Vector(a), Cell::Vector(b)) => q.vector(spot, a, b),
+            (a, b) => q.number(spot, scalar(a), scalar(b)),
+        }
+    }
+    let pairs = x.before.iter().chain(&x.after).zip(y.before.iter().chain(&y.after));
+    for (q, (a, b)) in history.iter_mut().zip(pairs) {
+        q.number(spot, *a, *b);
+    }
+}
+
+/// Whole numbers in a trace are far below 2⁵³.
+fn scalar(cell: Cell<'_>) -> f64 {
+    match cell {
+        Cell::Flag(x) => f64::from(u8::from(*x)),
+        Cell::Small(x) => f64::from(*x),
+        Cell::Whole(x) => *x as f64,
+        Cell::Type(x) => *x as f64,
+        Cell::Number(x) => *x,
+        Cell::Vector(v) => v.norm(),
+    }
+}
