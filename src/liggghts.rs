@@ -1,10 +1,10 @@
 //! LIGGGHTS as a process: a deck, perhaps our plugin, and a time limit go in; files or a clear error come out.
 //!
 //! Each run has its own folder. LIGGGHTS itself is never changed: the plugin enters through `LD_PRELOAD`.
+use crate::compare::is_dump;
 use crate::deck::Deck;
 use std::collections::HashMap;
 use std::fs::{self, File};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime};
@@ -103,21 +103,6 @@ impl Folder {
         Ok(folder)
     }
 
-    /// A second folder with all that this one holds.
-    ///
-    /// # Errors
-    /// A file cannot be copied.
-    pub fn copy(&self) -> Result<Folder, RunError> {
-        let folder = Folder::empty()?;
-        for (file, _) in listed(&self.path())? {
-            let to = folder.path().join(&file);
-            let parent = to.parent().unwrap_or(&to);
-            fs::create_dir_all(parent).map_err(RunError::io("create", parent))?;
-            fs::copy(self.path().join(&file), &to).map_err(RunError::io("write", &to))?;
-        }
-        Ok(folder)
-    }
-
     fn empty() -> Result<Folder, RunError> {
         let temp = tempfile::Builder::new().prefix("granlaw-").tempdir();
         let folder = Folder { temp: temp.map_err(RunError::io("create", &std::env::temp_dir()))? };
@@ -154,8 +139,11 @@ impl Folder {
         said.judge(deck, end, limit)?;
         let after = listed(&self.path())?;
         let new = |path: &PathBuf| after.get(path) != before.get(path);
-        let mut dumps: Vec<_> =
-            after.keys().filter(|p| new(p) && is_dump(&self.path().join(p))).cloned().collect();
+        let mut dumps: Vec<_> = after
+            .keys()
+            .filter(|p| new(p) && is_dump(&self.path().join(p)).unwrap_or(false))
+            .cloned()
+            .collect();
         let mut traces: Vec<_> =
             after.keys().filter(|p| new(p) && is_trace(p)).map(|p| self.path().join(p)).collect();
         dumps.sort();
@@ -167,13 +155,6 @@ impl Folder {
     pub fn record() -> PathBuf {
         PathBuf::from(TRACE)
     }
-}
-
-/// Whether a file is a text dump: by its first line, whatever its name.
-fn is_dump(path: &Path) -> bool {
-    let mut head = [0; 14];
-    File::open(path).and_then(|mut f| io::Read::read_exact(&mut f, &mut head)).is_ok()
-        && &head == b"ITEM: TIMESTEP"
 }
 
 fn is_trace(path: &Path) -> bool {

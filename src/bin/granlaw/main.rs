@@ -4,7 +4,9 @@ use std::io::Write;
 use std::process::ExitCode;
 
 mod laws;
+mod replay;
 mod run;
+mod verify;
 
 /// Contact laws for LIGGGHTS, and the proof that they are right.
 #[derive(Parser)]
@@ -24,12 +26,16 @@ struct Cli {
 enum Command {
     Laws(laws::Args),
     Run(run::Args),
+    Replay(replay::Args),
+    Verify(verify::Args),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Laws(args) => laws::run(&args),
         Command::Run(args) => run::run(&args),
+        Command::Replay(args) => replay::run(&args),
+        Command::Verify(args) => verify::run(&args),
     };
     done.unwrap_or_else(|error| {
         eprintln!("granlaw: {error:#}");

@@ -1,0 +1,159 @@
+//! One deck, with LIGGGHTS and plugin at hand.
+use super::checks::{self, Limit};
+use super::{answers, two_body};
+use crate::deck::{Asked, Deck, Final, What};
+use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, Ran, RunError};
+use crate::report::{Case, Curve, Shows};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+const RECORDED: &str = "LIGGGHTS's own laws give the same bits whether or not their calls are recorded";
+
+/// What every case needs.
+pub(super) struct Bench<'a> {
+    pub host: &'a Host,
+    pub plugin: &'a Plugin,
+    pub limit: Duration,
+}
+
+/// A finished run and its folder.
+pub(super) struct Attempt {
+    pub folder: Folder,
+    pub ran: Ran,
+}
+
+/// A run that ends the case: which, and why.
+struct Stopped(&'static str, RunError);
+
+/// The case so far.
+struct Trial<'a> {
+    bench: &'a Bench<'a>,
+    deck: &'a Deck,
+    first: Option<Deck>,
+    case: Case,
+}
+
+impl Bench<'_> {
+    /// Everything that the deck asks for. Only an interruption is an error: whatever else goes wrong is a result.
+    pub fn case(&self, name: &str, deck: &Deck) -> Result<Case, RunError> {
+        let begun = Instant::now();
+        let path = deck.path.display().to_string();
+        let case = Case { name: name.into(), title: deck.title.clone(), deck: path, ..Case::default() };
+        let first = deck.first().map_err(|e| RunError::Deck(e.to_string()))?;
+        let mut trial = Trial { bench: self, deck, first, case };
+        match trial.run() {
+            Ok(()) => {}
+            Err(Stopped(_, RunError::Interrupted)) => return Err(RunError::Interrupted),
+            Err(Stopped(which, error)) => {
+                trial.case.log = error.log().map(str::to_string);
+                trial.case.checks.push(checks::could_not(which, Shows::Boundary, error.to_string()));
+            }
+        }
+        trial.case.seconds = begun.elapsed().as_secs_f64();
+        Ok(trial.case)
+    }
+}
+
+impl Trial<'_> {
+    fn run(&mut self) -> Result<(), Stopped> {
+        let deck = self.deck;
+        let stock = self.attempt(None, None).map_err(|e| Stopped("stock run", e))?;
+        let recorded =
+            self.attempt(None, Some((Laws::Stock, true))).map_err(|e| Stopped("recorded run", e))?;
+        self.recorded(&stock, &recorded);
+        for asked in &deck.checks {
+            match &asked.what {
+                What::Replay { limit } => self.replay(&recorded.ran.traces, Limit::new(*limit, asked)),
+                What::Plugin => self.plugin(&stock, &recorded, asked)?,
+                What::TwoBody { limit } => {
+                    let (check, curve) = two_body::check(&recorded.ran.traces, Limit::new(*limit, asked));
+                    self.case.checks.push(check);
+                    self.case.curves.extend(curve);
+                }
+                What::Final(wanted) => self.last(&stock, wanted, asked),
+            }
+        }
+        Ok(())
+    }
+
+    /// One run from the beginning: the deck before this one, if there is one, then this one. `first` and `mode` say
+    /// whose laws run in each, and whether this one is recorded; `None` is LIGGGHTS alone.
+    fn attempt(&self, first: Option<Laws>, mode: Option<(Laws, bool)>) -> Result<Attempt, RunError> {
+        let Bench { host, plugin, limit } = *self.bench;
+        let preload = |deck: &Deck, laws, record: bool| Preload {
+            plugin,
+            laws,
+            record: record.then(Folder::record),
+            every: deck.every,
+            deck: Some(deck.file()),
+        };
+        let folder = Folder::new(self.deck)?;
+        if let Some(before) = &self.first {
+            folder.run(host, before, first.map(|laws| preload(before, laws, false)).as_ref(), limit)?;
+        }
+        let mode = mode.map(|(laws, record)| preload(self.deck, laws, record));
+        let ran = folder.run(host, self.deck, mode.as_ref(), limit)?;
+        Ok(Attempt { folder, ran })
+    }
+
+    /// What the traces say of the chain, and whether recording left the run as it was.
+    fn recorded(&mut self, stock: &Attempt, recorded: &Attempt) {
+        let name = "recorded";
+        let traces = &recorded.ran.traces;
+        let (calls, touches) = match answers::describe(traces, &mut self.case) {
+            Ok(counts) => counts,
+            Err(why) => return self.case.checks.push(checks::could_not(name, Shows::Boundary, why)),
+        };
+        self.case.calls = calls;
+        let check = match () {
+            _ if touches == 0 => checks::could_not(
+                name,
+                Shows::Boundary,
+                "no contact: no two surfaces touched in a recorded step, so nothing is proved; let them meet, or record more steps (# granlaw: every)",
+            ),
+            _ if stock.ran.dumps.is_empty() => {
+                checks::skipped(name, Shows::Boundary, "the deck writes no text dump to compare")
+            }
+            _ => answers::dumps(name, RECORDED, recorded, stock),
+        };
+        self.case.checks.push(check);
+    }
+
+    fn replay(&mut self, traces: &[PathBuf], limit: Limit<'_>) {
+        let (check, curves) = answers::replay(traces, limit);
+        self.case.checks.push(check);
+        self.case.curves.splice(0..0, curves);
+    }
+
+    /// The run on the Rust laws. Where the deck continues another, either may run on either's laws.
+    fn plugin(&mut self, stock: &Attempt, recorded: &Attempt, asked: &Asked) -> Result<(), Stopped> {
+        let rust = Some((Laws::Rust, false));
+        let runs: &[_] = match self.first {
+            None => &[("plugin", None, rust)],
+            Some(_) => &[
+                ("plugin, stock then Rust", None, rust),
+                ("plugin, Rust then stock", Some(Laws::Rust), None),
+                ("plugin, Rust then Rust", Some(Laws::Rust), rust),
+            ],
+        };
+        let traced = self.attempt(None, Some((Laws::Rust, true))).map_err(|e| Stopped("plugin", e))?;
+        let (difference, curves) = answers::traces(&traced.ran.traces, &recorded.ran.traces);
+        let stocked = self.case.curves.iter().any(|c| c.answer == "stock");
+        self.case.curves.extend(curves.into_iter().filter(|c: &Curve| !stocked || c.answer != "stock"));
+        if stock.ran.dumps.is_empty() {
+            let reason =
+                format!("{} (the deck writes no dump: every recorded call is compared)", asked.reason);
+            self.case.checks.push(checks::identical("plugin", &reason, difference));
+            return Ok(());
+        }
+        for (name, first, mode) in runs {
+            let ran = self.attempt(*first, *mode).map_err(|e| Stopped("plugin", e))?;
+            self.case.checks.push(answers::dumps(name, &asked.reason, &ran, stock));
+        }
+        Ok(())
+    }
+
+    fn last(&mut self, stock: &Attempt, wanted: &Final, asked: &Asked) {
+        self.case.checks.push(answers::last(stock, wanted, Limit::new(wanted.limit, asked)));
+    }
+}
