@@ -25,8 +25,15 @@ pub trait Lane:
     /// One truth value per contact.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
+    /// Number of lanes.
+    const WIDTH: usize;
+
     /// The same number in every lane.
     fn splat(x: f64) -> Self;
+    /// A number for each lane.
+    fn from_fn(number: impl Fn(usize) -> f64) -> Self;
+    /// The number in lane `k`, which must be below [`Lane::WIDTH`].
+    fn lane(self, k: usize) -> f64;
     /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
     /// Magnitude.
@@ -43,8 +50,15 @@ pub trait Lane:
 
 impl Lane for f64 {
     type Mask = bool;
+    const WIDTH: usize = 1;
     fn splat(x: f64) -> f64 {
         x
+    }
+    fn from_fn(number: impl Fn(usize) -> f64) -> f64 {
+        number(0)
+    }
+    fn lane(self, _: usize) -> f64 {
+        self
     }
     fn sqrt(self) -> f64 {
         f64::sqrt(self)
@@ -178,8 +192,15 @@ impl<const N: usize> Not for PackMask<N> {
 
 impl<const N: usize> Lane for Pack<N> {
     type Mask = PackMask<N>;
+    const WIDTH: usize = N;
     fn splat(x: f64) -> Self {
         Pack([x; N])
+    }
+    fn from_fn(number: impl Fn(usize) -> f64) -> Self {
+        Pack(std::array::from_fn(number))
+    }
+    fn lane(self, k: usize) -> f64 {
+        self.0[k]
     }
     fn sqrt(self) -> Self {
         Pack(self.0.map(f64::sqrt))

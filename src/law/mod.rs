@@ -47,8 +47,13 @@ pub trait Law: 'static {
 pub trait LaneLaw: Law {
     /// [`Law::Fit`], one per lane.
     type FitOf<L: Lane>: Copy;
-    /// [`Law::History`], one per lane.
-    type HistoryOf<L: Lane>: Copy;
+    /// [`Law::History`], one per lane: `[L; slots]`.
+    type HistoryOf<L: Lane>: Copy + AsRef<[L]> + for<'a> TryFrom<&'a [L]>;
+
+    /// The fit that holds at a normal velocity \[m/s\].
+    fn fit_at(f: &Self::Fit, vn: f64) -> Self::FitOf<f64>;
+    /// As many fits as there are lanes side by side. They come from one type pair, so their switches are the same.
+    fn side_by_side<L: Lane>(fits: &[Self::FitOf<f64>]) -> Self::FitOf<L>;
 
     /// The hot function: `call` is the same for all lanes.
     fn touch_lanes<L: Lane>(

@@ -70,6 +70,14 @@ impl LaneLaw for Cdt {
     type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 0];
 
+    fn fit_at(f: &Fit, _: f64) -> Fit {
+        *f
+    }
+
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit { mu: L::from_fn(|k| f[k].mu), reff: L::from_fn(|k| f[k].reff), torsion: f[0].torsion }
+    }
+
     #[inline]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let spin = norm(&x.roll);

@@ -133,6 +133,23 @@ impl LaneLaw for Hertz {
     type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 0];
 
+    fn fit_at(f: &Fit, _: f64) -> Fit {
+        *f
+    }
+
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit {
+            reff: L::from_fn(|k| f[k].reff),
+            meff: L::from_fn(|k| f[k].meff),
+            yeff: L::from_fn(|k| f[k].yeff),
+            geff: L::from_fn(|k| f[k].geff),
+            beta: L::from_fn(|k| f[k].beta),
+            nktv2p: L::from_fn(|k| f[k].nktv2p),
+            tangential_damping: f[0].tangential_damping,
+            limit_force: f[0].limit_force,
+        }
+    }
+
     #[inline]
     fn touch_lanes<L: Lane>(f: &Fit<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let root = (f.reff * x.deltan).sqrt();

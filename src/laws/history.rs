@@ -90,6 +90,14 @@ impl LaneLaw for History {
     type FitOf<L: Lane> = Coeffs<L>;
     type HistoryOf<L: Lane> = [L; 3];
 
+    fn fit_at(f: &Coeffs, _: f64) -> Coeffs {
+        *f
+    }
+
+    fn side_by_side<L: Lane>(f: &[Coeffs]) -> Coeffs<L> {
+        Coeffs { mu: L::from_fn(|k| f[k].mu) }
+    }
+
     #[inline]
     fn touch_lanes<L: Lane>(f: &Coeffs<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
         let mut shear = Vector3::from(*h);

@@ -57,13 +57,6 @@ pub struct Fitted {
     damper: Damper,
 }
 
-impl Fitted {
-    fn at(&self, vn: f64) -> Fit {
-        let (gamman, gammat) = self.damper.at(vn);
-        Fit { gamman, gammat, ..self.fit }
-    }
-}
-
 /// (E2) for `ln e`; the limit for an infinite one.
 fn damping(meff: f64, kn: f64, log_e: f64) -> f64 {
     if log_e.is_infinite() {
@@ -138,7 +131,7 @@ impl Law for Hooke {
     }
 
     fn touch(f: &Fitted, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
-        Self::touch_lanes(&f.at(x.surface.vn), &x.gap.call, &x.surface, h, s);
+        Self::touch_lanes(&Self::fit_at(f, x.surface.vn), &x.gap.call, &x.surface, h, s);
     }
 
     fn apart(_: &Self::Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
@@ -146,7 +139,7 @@ impl Law for Hooke {
     }
 
     fn observe(f: &Self::Fit, x: &Contact, _: &[f64; 0]) -> Terms {
-        let fit = f.at(x.surface.vn);
+        let fit = Self::fit_at(f, x.surface.vn);
         Terms {
             branch: "spring",
             stiffness: fit.kn,
@@ -160,6 +153,21 @@ impl Law for Hooke {
 impl LaneLaw for Hooke {
     type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 0];
+
+    fn fit_at(f: &Fitted, vn: f64) -> Fit {
+        let (gamman, gammat) = f.damper.at(vn);
+        Fit { gamman, gammat, ..f.fit }
+    }
+
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit {
+            kn: L::from_fn(|k| f[k].kn),
+            kt: L::from_fn(|k| f[k].kt),
+            gamman: L::from_fn(|k| f[k].gamman),
+            gammat: L::from_fn(|k| f[k].gammat),
+            limit_force: f[0].limit_force,
+        }
+    }
 
     #[inline]
     fn touch_lanes<L: Lane>(f: &Fit<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {

@@ -72,13 +72,6 @@ pub struct Fitted {
     damper: Damper,
 }
 
-impl Fitted {
-    fn at(&self, vn: f64) -> Fit {
-        let (gamman, gammat) = self.damper.at(vn);
-        Fit { gamman, gammat, ..self.fit }
-    }
-}
-
 const EXCEPTIONS: &[Exception] = &[
     Exception {
         rule: Rule::QueryLeavesHistory,
@@ -191,7 +184,7 @@ impl Law for HookeHysteresis {
     }
 
     fn touch(f: &Fitted, x: &Contact, h: &mut [f64; 1], s: &mut Stage) {
-        Self::touch_lanes(&f.at(x.surface.vn), &x.gap.call, &x.surface, h, s);
+        Self::touch_lanes(&Self::fit_at(f, x.surface.vn), &x.gap.call, &x.surface, h, s);
     }
 
     fn apart(_: &Self::Fit, _: &Gap, h: &mut [f64; 1], s: &mut Stage) {
@@ -200,7 +193,7 @@ impl Law for HookeHysteresis {
     }
 
     fn observe(f: &Self::Fit, x: &Contact, h: &[f64; 1]) -> Terms {
-        let (fit, delta) = (f.at(x.surface.vn), x.surface.deltan);
+        let (fit, delta) = (Self::fit_at(f, x.surface.vn), x.surface.deltan);
         let delta_max = delta.max(h[0]);
         let (force, branch) = spring(&fit, delta, delta_max);
         let k2 = unloading(&fit, delta_max);
@@ -251,6 +244,23 @@ fn spring(f: &Fit, delta: f64, delta_max: f64) -> (f64, Branch) {
 impl LaneLaw for HookeHysteresis {
     type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 1];
+
+    fn fit_at(f: &Fitted, vn: f64) -> Fit {
+        let (gamman, gammat) = f.damper.at(vn);
+        Fit { gamman, gammat, ..f.fit }
+    }
+
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit {
+            kn: L::from_fn(|k| f[k].kn),
+            k2max: L::from_fn(|k| f[k].k2max),
+            kc: L::from_fn(|k| f[k].kc),
+            delta_lim: L::from_fn(|k| f[k].delta_lim),
+            gamman: L::from_fn(|k| f[k].gamman),
+            gammat: L::from_fn(|k| f[k].gammat),
+            limit_force: f[0].limit_force,
+        }
+    }
 
     #[inline]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 1], s: &mut Stage<L>) {

@@ -67,6 +67,14 @@ impl LaneLaw for NoHistory {
     type FitOf<L: Lane> = Coeffs<L>;
     type HistoryOf<L: Lane> = [L; 0];
 
+    fn fit_at(f: &Coeffs, _: f64) -> Coeffs {
+        *f
+    }
+
+    fn side_by_side<L: Lane>(f: &[Coeffs]) -> Coeffs<L> {
+        Coeffs { mu: L::from_fn(|k| f[k].mu) }
+    }
+
     #[inline]
     fn touch_lanes<L: Lane>(f: &Coeffs<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let speed = norm(&x.vtr);
