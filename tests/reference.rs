@@ -225,3 +225,28 @@ fn together_they_reach_every_branch_of_the_law() {
     }
     assert_eq!(seen, BTreeSet::from(["adhesive", "loading", "unloading"]));
 }
+
+/// Contact `k` of a trace as LIGGGHTS would see it after the surfaces have parted.
+fn part(row: &mut Row) {
+    let zero = Row::default();
+    row.touch = false;
+    (row.surface, row.handed) = (zero.surface, zero.handed);
+    row.after.fill(0.0);
+    (row.force_i, row.force_j) = (zero.force_i, zero.force_j);
+    (row.torque_i, row.torque_j) = (zero.torque_i, zero.torque_j);
+}
+
+#[test]
+fn calls_without_contact_are_replayed_too() {
+    let parted = |keeps: f64| {
+        changed("oblique.csv", same_head, move |k, row| {
+            if k == 50 {
+                part(row);
+                row.after[0] = keeps;
+            }
+        })
+    };
+    let (clears, keeps) = (parted(0.0), parted(1e-6));
+    assert!(clears.bit_equal() && clears.touches == clears.calls - 1);
+    assert!(keeps.error() > 1e-3, "a history that is not cleared: {}", keeps.error());
+}

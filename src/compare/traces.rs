@@ -105,3 +105,77 @@ fn scalar(cell: Cell<'_>) -> f64 {
         Cell::Vector(v) => v.norm(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::{Header, Writer};
+
+    fn file(folder: &Path, name: &str, rows: &[Row]) -> std::path::PathBuf {
+        let path = folder.join(name);
+        let header = Header { types: 1, slots: vec!["shearx".into()], ..Header::default() };
+        let mut w = Writer::create(&path, &header).unwrap();
+        rows.iter().for_each(|r| w.row(r).unwrap());
+        w.finish().unwrap();
+        path
+    }
+
+    fn rows() -> Vec<Row> {
+        (1..=4)
+            .map(|step| {
+                let mut r =
+                    Row { touch: true, before: vec![0.5], after: vec![step as f64], ..Row::default() };
+                r.gap.call.step = step;
+                (r.gap.i.tag, r.gap.j.tag) = (1, 2);
+                r.gap.i.x.y = step as f64;
+                r.handed.fn_ = 2.0 * step as f64;
+                r
+            })
+            .collect()
+    }
+
+    fn against(change: impl Fn(&mut Vec<Row>)) -> Traces {
+        let folder = tempfile::tempdir().unwrap();
+        let mut other = rows();
+        change(&mut other);
+        let (a, b) = (file(folder.path(), "a", &other), file(folder.path(), "b", &rows()));
+        traces(&a, &b, ["plugin", "stock"]).unwrap()
+    }
+
+    #[test]
+    fn equal_traces_are_identical() {
+        let t = against(|_| {});
+        assert!(t.identical() && t.error() == 0.0);
+        assert_eq!((t.rows, t.curves[0].force.as_slice()), (4, &[2.0, 4.0, 6.0, 8.0][..]));
+    }
+
+    #[test]
+    fn inputs_results_and_history_are_all_compared() {
+        let worst = |t: &Traces| Quantity::worst_of(&t.quantities).unwrap().report().unwrap();
+        let t = against(|r| r[1].gap.i.x.y += 1.0);
+        assert_eq!((worst(&t).what.as_str(), worst(&t).step, t.error()), ("x_i.y of 1-2", 2, 0.25));
+        let t = against(|r| r[2].after[0] = -3.0);
+        assert_eq!((worst(&t).what.as_str(), t.error()), ("after.shearx of 1-2", 1.5));
+        let t = against(|r| r[3].handed.fn_ = 4.0);
+        assert_eq!((worst(&t).what.as_str(), t.error()), ("fn of 1-2", 0.5));
+        assert_eq!(
+            (t.curves[0].answer.as_str(), t.curves[0].error.as_slice()),
+            ("plugin", &[0.0, 0.0, 0.0, 0.5][..])
+        );
+        assert!(t.curves[1].error.is_empty());
+        let t = against(|r| r[0].has_force = true);
+        assert!(!t.identical());
+    }
+
+    #[test]
+    fn a_row_too_few_or_of_another_contact_is_found() {
+        let t = against(|r| {
+            r.pop();
+        });
+        assert_eq!((t.rows, t.error(), t.identical()), (3, f64::INFINITY, false));
+        let stray = t.stray.unwrap();
+        assert_eq!((stray.got, stray.expected.unwrap().step), (None, 4));
+        let t = against(|r| r[1].gap.j.tag = 3);
+        assert_eq!((t.rows, t.stray.unwrap().got.unwrap().tags), (1, (1, 3)));
+    }
+}
