@@ -1,0 +1,179 @@
+//! Set-ups that make no sense, made from what each law says of itself; the message must help.
+use granlaw::law::*;
+use granlaw::laws::LAWS;
+
+/// A refusal whose message holds all of these words.
+pub fn refuses<T>(outcome: Result<T, LawError>, words: &[&str]) -> Result<(), String> {
+    let Err(error) = outcome else { return Err(format!("not refused; expected {words:?}")) };
+    let message = error.to_string();
+    match words.iter().find(|w| !message.contains(**w)) {
+        None => Ok(()),
+        Some(w) => Err(format!("{w:?} is missing from: {message}")),
+    }
+}
+
+/// Everything in the middle of its usual range, settings at their defaults or as asked.
+pub fn sound(meta: &'static Meta, chosen: &[(&str, &str)]) -> Setup {
+    let mut settings = Settings::new(meta, false);
+    for (name, option) in chosen {
+        settings.set(name, option).unwrap();
+    }
+    let of = meta.props.iter().map(|p| vec![0.5 * (p.usual.0 + p.usual.1); p.shape.len(2)]).collect();
+    Setup { meta, settings, values: Values { types: 2, of }, nktv2p: 1.0 }
+}
+
+fn prepare(setup: &Setup) -> Result<(), LawError> {
+    let entry = LAWS.iter().find(|e| std::ptr::eq(e.meta, setup.meta)).unwrap();
+    entry.prepare(setup).map(|_| ())
+}
+
+/// Settings under which a property is needed.
+fn needing(p: &Prop) -> Vec<(&'static str, &'static str)> {
+    match p.need {
+        Need::When(name, option) => vec![(name, option)],
+        _ => vec![],
+    }
+}
+
+/// Each law with each of its properties, in a sound set-up that needs it.
+fn properties() -> impl Iterator<Item = (&'static Prop, usize, Setup)> {
+    LAWS.iter().flat_map(|e| {
+        e.meta.props.iter().enumerate().map(|(k, p)| {
+            let setup = sound(e.meta, &needing(p));
+            assert_eq!(prepare(&setup), Ok(()));
+            (p, k, setup)
+        })
+    })
+}
+
+/// Values outside a range, and just so.
+fn outside(range: &Range) -> Vec<f64> {
+    let mut bad = vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+    if range.lo.is_finite() {
+        bad.push(if range.open_lo { range.lo } else { range.lo.next_down() });
+        bad.push(range.lo - 1.0);
+    }
+    if range.hi.is_finite() {
+        bad.push(if range.open_hi { range.hi } else { range.hi.next_up() });
+        bad.push(range.hi + 1.0);
+    }
+    bad
+}
+
+#[test]
+fn a_missing_property_is_named_with_the_command_that_sets_it() {
+    for (p, k, mut setup) in properties() {
+        setup.values.of[k].clear();
+        let law = setup.meta.called(false);
+        refuses(prepare(&setup), &[&law, p.name, p.shape.keyword(), "property/global"]).unwrap();
+    }
+}
+
+#[test]
+fn a_property_that_the_settings_do_not_call_for_may_be_missing() {
+    let mut left_out = 0;
+    for e in LAWS {
+        let mut setup = sound(e.meta, &[]);
+        for (p, values) in e.meta.props.iter().zip(&mut setup.values.of) {
+            if !setup.settings.need(p.need) {
+                values.clear();
+                left_out += 1;
+            }
+        }
+        assert_eq!(prepare(&setup), Ok(()), "{}", e.meta.keyword);
+    }
+    assert!(left_out > 0, "no law has such a property");
+}
+
+#[test]
+fn a_wrong_number_of_values_is_counted() {
+    for (p, k, mut setup) in properties() {
+        setup.values.of[k].push(1.0);
+        let (law, got) = (setup.meta.called(false), setup.values.of[k].len().to_string());
+        refuses(prepare(&setup), &[&law, p.name, &got, &p.shape.len(2).to_string()]).unwrap();
+    }
+}
+
+#[test]
+fn a_value_out_of_range_is_named_with_its_types_and_what_is_allowed() {
+    for (p, k, setup) in properties() {
+        let (place, types) = match p.shape {
+            Shape::Scalar => (0, ""),
+            Shape::PerType => (1, "(type 2)"),
+            Shape::PerPair => (1, "(types 1-2)"),
+        };
+        for bad in outside(&p.range) {
+            let mut setup = setup.clone();
+            setup.values.of[k][place] = bad;
+            let (law, value) = (setup.meta.called(false), format!("= {bad}"));
+            refuses(prepare(&setup), &[&law, p.name, &value, types, &p.range.to_string()])
+                .unwrap_or_else(|e| panic!("{bad}: {e}"));
+        }
+    }
+}
+
+#[test]
+fn the_ends_of_every_closed_range_and_the_usual_values_are_allowed() {
+    for (p, k, setup) in properties() {
+        let r = p.range;
+        let ends =
+            [(r.lo, r.open_lo), (r.hi, r.open_hi)].into_iter().filter(|(_, open)| !open).map(|(x, _)| x);
+        for good in ends.chain([p.usual.0, p.usual.1]) {
+            let mut setup = setup.clone();
+            setup.values.of[k].fill(good);
+            assert_eq!(prepare(&setup), Ok(()), "{} = {good}", p.name);
+        }
+    }
+}
+
+#[test]
+fn a_setting_that_is_not_done_is_refused_by_name_when_it_is_on_under_either_name() {
+    let mut refused = 0;
+    for e in LAWS {
+        for s in e.meta.settings.iter().filter(|s| s.support == Support::Refused) {
+            for taken_over in [false, true] {
+                let mut setup = sound(e.meta, &[]);
+                setup.settings = Settings::new(e.meta, taken_over);
+                setup.settings.set(s.name, "on").unwrap();
+                let words = [&e.meta.called(taken_over)[..], s.name, "not supported", s.doc];
+                refuses(prepare(&setup), &words).unwrap();
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 0, "no law refuses a setting");
+}
+
+#[test]
+fn an_unknown_setting_or_option_is_answered_with_the_known_ones() {
+    for e in LAWS {
+        let law = e.meta.called(false);
+        let mut settings = Settings::new(e.meta, false);
+        let mut words = vec![&law[..], "viscuous"];
+        words.extend(e.meta.settings.iter().map(|s| s.name));
+        refuses(settings.set("viscuous", "on"), &words).unwrap();
+        for s in e.meta.settings {
+            let mut words = vec![&law[..], s.name, "maybe"];
+            words.extend(s.options);
+            refuses(settings.set(s.name, "maybe"), &words).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_law_that_has_taken_over_speaks_under_the_stock_name() {
+    for e in LAWS {
+        let mut settings = Settings::new(e.meta, true);
+        let message = settings.set("viscuous", "on").unwrap_err().to_string();
+        assert!(message.starts_with(&format!("{}: ", e.meta.keyword)), "{message}");
+    }
+}
+
+#[test]
+fn the_check_itself_sees_a_set_up_that_passes_and_a_word_that_is_missing() {
+    let setup = sound(LAWS[0].meta, &[]);
+    assert!(refuses(prepare(&setup), &[]).unwrap_err().contains("not refused"));
+    let mut setup = setup;
+    setup.values.of[0].clear();
+    assert!(refuses(prepare(&setup), &["unheard-of"]).unwrap_err().contains("is missing from"));
+}
