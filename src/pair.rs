@@ -158,22 +158,26 @@ mod tests {
     use crate::law::{Kind, Settings, Setup, Values};
     use crate::laws::find;
 
-    fn hooke() -> Chain {
-        let meta = find(Kind::Normal, "hooke").unwrap().meta;
+    fn chain(laws: &[(Kind, &str)]) -> Chain {
         let given = |name: &str| match name {
-            "youngsModulus" => vec![5e6],
-            "poissonsRatio" => vec![0.45],
-            "characteristicVelocity" => vec![2.0],
-            "coefficientRestitution" => vec![1.0],
-            _ => vec![],
+            "youngsModulus" => 5e6,
+            "poissonsRatio" => 0.45,
+            "characteristicVelocity" => 2.0,
+            "coefficientMaxElasticStiffness" => 5.0,
+            "coefficientAdhesionStiffness" => 0.0,
+            "coefficientPlasticityDepth" => 0.05,
+            _ => 1.0,
         };
-        let of = meta.props.iter().map(|p| given(p.name)).collect();
-        let settings = Settings::new(meta, false);
-        Chain::packed(&[Setup { meta, settings, values: Values { types: 1, of }, nktv2p: 1.0 }]).unwrap()
+        let setup = |(kind, name): &(Kind, &str)| {
+            let meta = find(*kind, name).unwrap().meta;
+            let of = meta.props.iter().map(|p| vec![given(p.name)]).collect();
+            Setup { meta, settings: Settings::new(meta, false), values: Values { types: 1, of }, nktv2p: 1.0 }
+        };
+        Chain::packed(&laws.iter().map(setup).collect::<Vec<_>>()).unwrap()
     }
 
-    #[test]
-    fn an_elastic_pair_swaps_velocities_and_keeps_its_momentum() {
+    /// Two spheres 0.02 mm apart that come towards each other.
+    fn start() -> Start {
         let body = |x: f64, v: f64| Body {
             radius: 0.005,
             mass: 1e-3,
@@ -181,7 +185,7 @@ mod tests {
             v: Vector3::new(v, 0.0, 0.0),
             ..Body::default()
         };
-        let start = Start {
+        Start {
             bodies: [body(-0.00501, 0.5), body(0.00501, -0.2)],
             types: (0, 0),
             partner: Partner::Free,
@@ -190,12 +194,76 @@ mod tests {
             first: 0,
             gravity: Vector3::zeros(),
             opened: Opened::Keeps,
-        };
-        let all = states(&mut hooke(), &start);
+        }
+    }
+
+    #[test]
+    fn an_elastic_pair_swaps_velocities_and_keeps_its_momentum() {
+        let all = states(&mut chain(&[(Kind::Normal, "hooke")]), &start());
         let end = all.last().unwrap();
         assert!(all.iter().any(|s| s.touching) && !end.touching);
         // Third order in the step, 600 steps per contact.
         approx::assert_relative_eq!(end.bodies[0].v.x, -0.2, max_relative = 1e-6);
         approx::assert_relative_eq!(end.bodies[0].v.x + end.bodies[1].v.x, 0.3, max_relative = 1e-13);
+    }
+
+    #[test]
+    fn an_opened_contact_keeps_its_history_unless_it_is_told() {
+        let after = |opened| {
+            let mut laws = chain(&[(Kind::Normal, "hooke/hysteresis")]);
+            let all = states(&mut laws, &Start { opened, ..start() });
+            assert!(all.iter().any(|s| s.touching) && !all.last().unwrap().touching);
+            all.last().unwrap().history[0]
+        };
+        assert!(after(Opened::Keeps) > 0.0);
+        assert_eq!(after(Opened::Closes), 0.0);
+    }
+
+    #[test]
+    fn a_frozen_partner_stays_and_counts_as_infinitely_heavy() {
+        let mut s = Start { partner: Partner::Frozen, ..start() };
+        s.bodies[1].v = Vector3::zeros();
+        let all = states(&mut chain(&[(Kind::Normal, "hooke")]), &s);
+        let end = all.last().unwrap();
+        assert_eq!(end.bodies[1], s.bodies[1]);
+        assert_eq!(end.contact.gap.meff, 1e-3);
+        approx::assert_relative_eq!(end.bodies[0].v.x, -0.5, max_relative = 1e-6);
+    }
+
+    #[test]
+    fn a_plane_turns_a_sphere_round_from_its_other_side_too() {
+        for side in [1.0, -1.0] {
+            let plane = Partner::Plane { point: Vector3::x() * 0.1, normal: Vector3::x() * side };
+            let mut s = Start { partner: plane, ..start() };
+            s.bodies[0].x.x = 0.1 + side * 0.00501;
+            s.bodies[0].v.x = -side * 0.5;
+            let all = states(&mut chain(&[(Kind::Normal, "hooke")]), &s);
+            assert!(all.iter().any(|s| s.touching));
+            approx::assert_relative_eq!(all.last().unwrap().bodies[0].v.x, side * 0.5, max_relative = 1e-6);
+        }
+    }
+
+    #[test]
+    fn gravity_accelerates_what_is_free() {
+        let mut s = Start { gravity: Vector3::z() * -9.81, steps: 1000, ..start() };
+        s.bodies[0].x.x = -1.0;
+        let end = states(&mut chain(&[(Kind::Normal, "hooke")]), &s).pop().unwrap();
+        for body in end.bodies {
+            // A thousand additions of the same number.
+            approx::assert_relative_eq!(body.v.z, -9.81e-3, max_relative = 1e-12);
+            approx::assert_relative_eq!(body.x.z, -0.5 * 9.81e-6, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_set_up_evaluation_gives_forces_and_writes_no_shear() {
+        let mut s = Start { first: 40, steps: 1, ..start() };
+        (s.bodies[0].x.x, s.bodies[0].v.y) = (-0.00498, 1.0);
+        let all = states(&mut chain(&[(Kind::Normal, "hooke"), (Kind::Tangential, "history")]), &s);
+        assert_eq!((all[0].step, all[1].step), (40, 41));
+        assert!(all[0].touching && all[0].stage.fn_ > 0.0);
+        assert_eq!(all[0].history, [0.0; 3]);
+        // One step at half-step velocity, which the first half kick along x does not turn.
+        approx::assert_relative_eq!(all[1].history[1], 1e-6, max_relative = 1e-3);
     }
 }
