@@ -13,3 +13,5 @@ mod oblique;
 mod orders;
 #[path = "closed_forms/rolling.rs"]
 mod rolling;
+#[path = "closed_forms/values.rs"]
+mod values;
