@@ -11,6 +11,10 @@ fn main() {
     println!("cargo:rerun-if-env-changed=LIGGGHTS_INCLUDE");
     println!("cargo:rustc-check-cfg=cfg(liggghts)");
     let headers = PathBuf::from(env::var("LIGGGHTS_INCLUDE").unwrap_or("/usr/include/liggghts".into()));
+    // A path that is missing makes cargo look again at the next build, so headers installed later are found.
+    for path in [&headers.join("contact_interface.h"), Path::new("/usr/bin/mpicxx")] {
+        println!("cargo:rerun-if-changed={}", path.display());
+    }
     match (headers.join("contact_interface.h").exists(), mpi_flags()) {
         (true, Some(mpi)) => compile(&headers, &mpi),
         (false, _) => skip("LIGGGHTS's headers are missing: install libliggghts-dev or set LIGGGHTS_INCLUDE"),
@@ -29,7 +33,6 @@ fn mpi_flags() -> Option<Vec<String>> {
 }
 
 fn compile(headers: &Path, mpi: &[String]) {
-    println!("cargo:rerun-if-changed={}", headers.display());
     println!("cargo:rustc-cfg=liggghts");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     for kind in KINDS {
