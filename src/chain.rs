@@ -1,5 +1,5 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
-use crate::law::{Contact, Gap, Kernel, LawError, Mark, Meta, Setup, Stage, Terms};
+use crate::law::{Contact, Gap, Kernel, LawError, Mark, Meta, Setup, Size, Stage, Terms};
 use crate::laws::find;
 
 struct Link {
@@ -22,6 +22,8 @@ pub struct Chain {
     links: Vec<Link>,
     types: usize,
     row: usize,
+    /// What the laws are fitted to. Neighbouring contacts mostly have the same sizes, so the last fit mostly holds.
+    fitted: Option<(usize, Size)>,
 }
 
 impl Chain {
@@ -38,7 +40,7 @@ impl Chain {
             links.push(Link { meta, kernel, slots: *at..at + meta.slots.len() });
         }
         let row = links.iter().map(|l| l.slots.end).max().unwrap_or(0);
-        Ok(Chain { links, types: setups.first().map_or(0, |s| s.values.types), row })
+        Ok(Chain { links, types: setups.first().map_or(0, |s| s.values.types), row, fitted: None })
     }
 
     /// Laws whose histories lie one behind the other from slot 0.
@@ -74,27 +76,32 @@ impl Chain {
     /// The surfaces overlap. `types` are the atom types counted from 0, `h` is the contact's row of history; what
     /// `s` holds already is kept and added to.
     pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Marks {
-        let pair = types.0 * self.types + types.1;
-        self.run(h, s, |kernel, h, s| kernel.touch(pair, x, h, s))
+        self.fit(types, &x.gap);
+        self.run(h, s, |kernel, h, s| kernel.touch(x, h, s))
     }
 
     /// They do not.
     pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Marks {
-        let pair = types.0 * self.types + types.1;
-        self.run(h, s, |kernel, h, s| kernel.apart(pair, x, h, s))
+        self.fit(types, x);
+        self.run(h, s, |kernel, h, s| kernel.apart(x, h, s))
     }
 
     #[inline]
-    fn run(
-        &mut self,
-        h: &mut [f64],
-        s: &mut Stage,
-        mut each: impl FnMut(&mut dyn Kernel, &mut [f64], &mut Stage),
-    ) -> Marks {
+    fn fit(&mut self, types: (usize, usize), x: &Gap) {
+        let pair = types.0 * self.types + types.1;
+        let size = Size { radi: x.i.radius, radj: x.j.radius, meff: x.meff, is_wall: x.call.is_wall };
+        if self.fitted != Some((pair, size)) {
+            self.links.iter_mut().for_each(|l| l.kernel.fit(pair, &size));
+            self.fitted = Some((pair, size));
+        }
+    }
+
+    #[inline]
+    fn run(&self, h: &mut [f64], s: &mut Stage, each: impl Fn(&dyn Kernel, &mut [f64], &mut Stage)) -> Marks {
         let mut marks = Marks::default();
-        for link in &mut self.links {
+        for link in &self.links {
             s.mark = Mark::Leave;
-            each(link.kernel.as_mut(), &mut h[link.slots.clone()], s);
+            each(link.kernel.as_ref(), &mut h[link.slots.clone()], s);
             let bit = 1 << link.meta.kind as i32;
             match s.mark {
                 Mark::Set => marks.set |= bit,
@@ -107,7 +114,7 @@ impl Chain {
 
     /// What each law can tell of the contact before it is evaluated.
     pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Vec<Terms> {
-        let pair = types.0 * self.types + types.1;
-        self.links.iter_mut().map(|l| l.kernel.observe(pair, x, &h[l.slots.clone()])).collect()
+        self.fit(types, &x.gap);
+        self.links.iter().map(|l| l.kernel.observe(x, &h[l.slots.clone()])).collect()
     }
 }

@@ -4,29 +4,25 @@ use bytemuck::Pod;
 
 /// What the chain holds of a law: prepared for all pairs of atom types, histories as plain numbers.
 pub trait Kernel: Send {
-    /// The surfaces overlap. `pair` is `type_i * types + type_j`, counted from 0.
-    fn touch(&mut self, pair: usize, x: &Contact, h: &mut [f64], s: &mut Stage);
+    /// Fit to two sizes of a pair of atom types (`type_i * types + type_j`, counted from 0), for all calls until the next fit.
+    fn fit(&mut self, pair: usize, size: &Size);
+    /// The surfaces overlap.
+    fn touch(&self, x: &Contact, h: &mut [f64], s: &mut Stage);
     /// They do not.
-    fn apart(&mut self, pair: usize, x: &Gap, h: &mut [f64], s: &mut Stage);
+    fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage);
     /// See [`Law::observe`].
-    fn observe(&mut self, pair: usize, x: &Contact, h: &[f64]) -> Terms;
+    fn observe(&self, x: &Contact, h: &[f64]) -> Terms;
 }
 
 struct Prepared<L: Law> {
     coeffs: Vec<L::Coeffs>,
-    last: Option<(usize, Size, L::Fit)>,
+    fit: Option<L::Fit>,
 }
 
 impl<L: Law> Prepared<L> {
-    /// Neighbouring contacts mostly have the same sizes, so the last fit mostly holds.
     #[inline]
-    fn fit(&mut self, pair: usize, x: &Gap) -> &L::Fit {
-        let size = Size { radi: x.i.radius, radj: x.j.radius, meff: x.meff, is_wall: x.call.is_wall };
-        let (p, s, fit) = self.last.get_or_insert_with(|| (pair, size, L::fit(&self.coeffs[pair], &size)));
-        if *p != pair || *s != size {
-            (*p, *s, *fit) = (pair, size, L::fit(&self.coeffs[pair], &size));
-        }
-        fit
+    fn fitted(&self) -> &L::Fit {
+        self.fit.as_ref().expect("the chain fits before it calls")
     }
 }
 
@@ -35,17 +31,17 @@ fn view<H: Pod>(h: &mut [f64]) -> &mut H {
 }
 
 impl<L: Law> Kernel for Prepared<L> {
-    fn touch(&mut self, pair: usize, x: &Contact, h: &mut [f64], s: &mut Stage) {
-        let fit = self.fit(pair, &x.gap);
-        L::touch(fit, x, view(h), s);
+    fn fit(&mut self, pair: usize, size: &Size) {
+        self.fit = Some(L::fit(&self.coeffs[pair], size));
     }
-    fn apart(&mut self, pair: usize, x: &Gap, h: &mut [f64], s: &mut Stage) {
-        let fit = self.fit(pair, x);
-        L::apart(fit, x, view(h), s);
+    fn touch(&self, x: &Contact, h: &mut [f64], s: &mut Stage) {
+        L::touch(self.fitted(), x, view(h), s);
     }
-    fn observe(&mut self, pair: usize, x: &Contact, h: &[f64]) -> Terms {
-        let fit = self.fit(pair, &x.gap);
-        L::observe(fit, x, bytemuck::from_bytes(bytemuck::cast_slice(h)))
+    fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage) {
+        L::apart(self.fitted(), x, view(h), s);
+    }
+    fn observe(&self, x: &Contact, h: &[f64]) -> Terms {
+        L::observe(self.fitted(), x, bytemuck::from_bytes(bytemuck::cast_slice(h)))
     }
 }
 
@@ -68,7 +64,7 @@ fn prepare<L: Law>(setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
     setup.check()?;
     let n = setup.values.types;
     let coeffs = (0..n * n).map(|p| L::coeffs(&setup.pair(p / n, p % n))).collect::<Result<_, _>>()?;
-    Ok(Box::new(Prepared::<L> { coeffs, last: None }))
+    Ok(Box::new(Prepared::<L> { coeffs, fit: None }))
 }
 
 impl Entry {

@@ -95,7 +95,7 @@ unsafe fn vector(p: *const f64) -> Vector3<f64> {
 
 /// # Safety
 /// The pointers and indices of `s` are valid for the arrays of the pass.
-#[inline]
+#[inline(always)]
 pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, meff: f64) -> Gap {
     // SAFETY: as the caller promises, in this block; a wall has no place in the arrays.
     unsafe {
@@ -119,7 +119,7 @@ pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, meff: f6
 
 /// # Safety
 /// As [`gap`].
-#[inline]
+#[inline(always)]
 pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) -> Contact {
     // SAFETY: as the caller promises.
     let mut gap = unsafe { gap(pass, &s.close, s.meff) };
