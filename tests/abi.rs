@@ -1,4 +1,11 @@
-//! The committed Rust view of `granlaw.h` is what bindgen makes of it.
+//! The C interface: the committed Rust view of `granlaw.h`, its structs against LIGGGHTS's, and C programs that use it.
+#[path = "built/mod.rs"]
+mod built;
+#[path = "abi/layout.rs"]
+mod layout;
+#[path = "abi/programs.rs"]
+mod programs;
+
 use std::path::Path;
 
 #[test]

@@ -115,12 +115,12 @@ typedef struct granlaw_choice {
   bool taken_over;                   /* stands in for LIGGGHTS's law of the same name */
   const int32_t *options;            /* one index per setting, -1: default; NULL: all default */
   const double *const *values;       /* per property: 1, n_types or n_types^2 numbers (row by row), NULL if not given */
-  size_t history_offset;             /* first slot of this law in a contact's row of history */
+  size_t history_offset;             /* first slot of this law in a contact's row of history; no two may overlap */
 } granlaw_choice;
 
 /* A chain to be prepared. Everything is copied; nothing needs to outlive the call. */
 typedef struct granlaw_setup {
-  const granlaw_choice *laws;        /* in the order of the kinds */
+  const granlaw_choice *laws;        /* in the order of the kinds, at most one of each */
   size_t n_laws;
   size_t n_types;                    /* atom types; type t of the simulation is index t - 1 here */
   double nktv2p;                     /* pressure to force per area in the deck's units; 1 in SI */

@@ -42,6 +42,9 @@ pub unsafe fn settings(law: usize, taken_over: bool, options: *const i32) -> Res
 /// The arrays have the lengths that `granlaw.h` states.
 pub unsafe fn setups(from: &granlaw_setup) -> Result<(Vec<Setup>, Vec<usize>), Failure> {
     let types = from.n_types;
+    if types == 0 || from.n_laws == 0 || from.laws.is_null() {
+        return Err(Failure::misuse("n_types is 0 or there are no laws"));
+    }
     let (mut setups, mut offsets) = (Vec::new(), Vec::new());
     // SAFETY: as the caller promises, here and in the loop.
     for choice in unsafe { slice(from.laws, from.n_laws) } {
@@ -59,7 +62,25 @@ pub unsafe fn setups(from: &granlaw_setup) -> Result<(Vec<Setup>, Vec<usize>), F
         setups.push(Setup { meta, settings, values, nktv2p: from.nktv2p });
         offsets.push(choice.history_offset);
     }
+    in_order(&setups)?;
+    apart(&setups, &offsets)?;
     Ok((setups, offsets))
+}
+
+fn in_order(setups: &[Setup]) -> Result<(), Failure> {
+    if setups.windows(2).all(|s| s[0].meta.kind < s[1].meta.kind) {
+        return Ok(());
+    }
+    Err(Failure::misuse("the laws must come in the order of the kinds, at most one of each"))
+}
+
+fn apart(setups: &[Setup], offsets: &[usize]) -> Result<(), Failure> {
+    let ends = |k: usize| offsets[k].saturating_add(setups[k].meta.slots.len());
+    let meet = |a: usize, b: usize| offsets[a].max(offsets[b]) < ends(a).min(ends(b));
+    if (0..offsets.len()).any(|a| (0..a).any(|b| meet(a, b))) {
+        return Err(Failure::misuse("history_offset: two laws would write to the same slot"));
+    }
+    Ok(())
 }
 
 /// The types of a contact, counted from 0.
@@ -140,7 +161,7 @@ pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) 
 pub fn finite(x: &Contact) -> bool {
     let s = &x.surface;
     // Any NaN or infinity survives the sum; finite numbers of a simulation do not overflow it.
-    (s.deltan + s.vn + s.en.sum() + s.vtr.sum() + s.roll.sum()).is_finite()
+    (s.deltan + s.vn + s.en.sum() + s.vtr.sum() + s.roll.sum() + s.cri + s.crj + x.gap.meff).is_finite()
 }
 
 /// What to say of it.
