@@ -89,7 +89,7 @@ impl Chain {
     #[inline]
     fn fit(&mut self, types: (usize, usize), x: &Gap) {
         let pair = types.0 * self.types + types.1;
-        let size = Size { radi: x.i.radius, radj: x.j.radius, meff: x.meff, is_wall: x.call.is_wall };
+        let size = x.size();
         if self.fitted != Some((pair, size)) {
             self.links.iter_mut().for_each(|l| l.kernel.fit(pair, &size));
             self.fitted = Some((pair, size));

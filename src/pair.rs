@@ -136,16 +136,20 @@ fn evaluate(chain: &mut Chain, start: &Start, s: &mut State, update: bool) {
 
 /// How the bodies lie to each other, and the overlap with a plane \[m\].
 fn approach(start: &Start, bodies: &[Body; 2], call: Call) -> (Gap, f64) {
-    let [i, j] = *bodies;
+    let [i, mut j] = *bodies;
     if let Partner::Plane { point, normal } = start.partner {
         let distance = normal.dot(&(i.x - point));
         let delta = normal * distance;
         let j = Body { tag: -1, x: i.x - delta, ..Body::default() };
-        return (Gap { call, i, j, delta, rsq: square(distance), meff: i.mass }, i.radius - distance);
+        let gap = Gap { call, i, j, delta, rsq: square(distance), meff: 0.0 };
+        return (gap.weighed(), i.radius - distance);
     }
     let delta = i.x - j.x;
-    let meff = if start.partner == Partner::Frozen { i.mass } else { i.mass * j.mass / (i.mass + j.mass) };
-    (Gap { call, i, j, delta, rsq: crate::lane::dot(&delta, &delta), meff }, 0.0)
+    if start.partner == Partner::Frozen {
+        j.mass = f64::INFINITY;
+    }
+    let gap = Gap { call, i, j, delta, rsq: crate::lane::dot(&delta, &delta), meff: 0.0 };
+    (gap.weighed(), 0.0)
 }
 
 fn square(x: f64) -> f64 {

@@ -121,13 +121,16 @@ fn declared_exceptions_occur() {
 /// Where an exception hangs on a setting or a partner law, the rule holds without it.
 #[test]
 fn exceptions_are_no_wider_than_they_say() {
-    let rules: [(&[&str], Switches, Check); 6] = [
-        (&["hooke"], Switches::Off("viscous"), rules::odd_damping),
-        (&["hooke/hysteresis"], Switches::Off("viscous"), rules::odd_damping),
+    let rules: [(&[&str], Switches, Check); 9] = [
+        (&["hooke"], Switches::With("viscous", "off"), rules::odd_damping),
+        (&["hooke/hysteresis"], Switches::With("viscous", "off"), rules::odd_damping),
         (&["hertz"], Switches::Any, paths::cycle),
         (&["hertz", "no_history", "cdt"], Switches::Any, paths::cycle),
-        (&["hooke", "history"], Switches::Off("tangential_damping"), paths::continuous),
-        (&["hooke/hysteresis", "history"], Switches::Off("tangential_damping"), paths::continuous),
+        (&["hooke", "history"], Switches::With("tangential_damping", "off"), paths::continuous),
+        (&["hooke/hysteresis", "history"], Switches::With("tangential_damping", "off"), paths::continuous),
+        (&["hertz", "cdt_jkr"], Switches::With("restTorqueLimit", "on"), paths::continuous),
+        (&["hertz", "no_history", "cdt_jkr"], Switches::With("restTorqueLimit", "on"), paths::continuous),
+        (&["hertz", "no_history", "cdt_jkr"], Switches::Any, paths::cycle),
     ];
     for (laws, switches, check) in rules {
         for_all(&chain_of(laws), switches, CASES, None, check).unwrap_or_else(|e| panic!("{laws:?}: {e}"));

@@ -22,7 +22,7 @@ pub struct Body {
     pub tag: i64,
     /// Radius \[m\].
     pub radius: f64,
-    /// Mass \[kg\].
+    /// Mass \[kg\]; infinite for a particle that is held in place.
     pub mass: f64,
     /// Position \[m\]; of a wall, the contact point.
     pub x: Vector3<f64>,
@@ -53,6 +53,26 @@ pub struct Gap {
     pub rsq: f64,
     /// Effective mass m* \[kg\]; a frozen partner or a wall counts as infinitely heavy.
     pub meff: f64,
+}
+
+impl Gap {
+    /// The same with the effective mass of its bodies, as LIGGGHTS takes it.
+    pub fn weighed(self) -> Gap {
+        let (i, j) = (self.i.mass, self.j.mass);
+        let meff = match () {
+            _ if self.call.is_wall || j.is_infinite() => i,
+            _ if i.is_infinite() => j,
+            _ => i * j / (i + j),
+        };
+        Gap { meff, ..self }
+    }
+
+    /// The sizes and masses.
+    pub fn size(&self) -> Size {
+        let Gap { call, i, j, meff, .. } = self;
+        let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
+        Size { radi, radj, massi, massj, meff: *meff, is_wall: call.is_wall }
+    }
 }
 
 /// What the surface model makes of two overlapping spheres.
@@ -135,6 +155,10 @@ pub struct Size {
     pub radi: f64,
     /// Radius of j \[m\]; ignored for a wall.
     pub radj: f64,
+    /// Mass of i \[kg\]; infinite for a particle that is held in place.
+    pub massi: f64,
+    /// Mass of j \[kg\]; ignored for a wall.
+    pub massj: f64,
     /// Effective mass m* \[kg\].
     pub meff: f64,
     /// Whether j is a wall.
@@ -149,6 +173,13 @@ impl Size {
         } else {
             self.radi * self.radj / (self.radi + self.radj)
         }
+    }
+
+    /// How easily i and j turn \[1/(kg m²)\]: one over 2/5 m R² of a solid sphere; 0 for a wall and for what is held.
+    pub fn mobilities(&self) -> (f64, f64) {
+        let of = |mass: f64, radius: f64| 1.0 / (0.4 * mass * radius * radius);
+        let j = if self.is_wall { 0.0 } else { of(self.massj, self.radj) };
+        (of(self.massi, self.radi), j)
     }
 }
 

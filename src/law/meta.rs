@@ -61,6 +61,8 @@ impl Unit {
     pub const M_PER_S: Unit = Unit { label: "m/s", m: 1, kg: 0, s: -1 };
     /// Stress, modulus.
     pub const PA: Unit = Unit { label: "Pa", m: -1, kg: 1, s: -2 };
+    /// Energy per area.
+    pub const J_PER_M2: Unit = Unit { label: "J/m²", m: 0, kg: 1, s: -2 };
     /// Dynamic viscosity.
     pub const PA_S: Unit = Unit { label: "Pa s", m: -1, kg: 1, s: -1 };
 }

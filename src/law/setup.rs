@@ -286,6 +286,12 @@ impl Pair<'_> {
         self.setup.nktv2p
     }
 
+    /// A refusal of an option that makes no sense with the rest.
+    pub fn refuse_option(&self, setting: &'static str, option: &'static str, why: &'static str) -> LawError {
+        let law = self.setup.meta.called(self.setup.settings.taken_over);
+        LawError::Refused { law, setting, option, why }
+    }
+
     /// A refusal of a value that the ranges alone cannot rule out.
     pub fn refuse(&self, name: &'static str, value: f64, range: Range) -> LawError {
         let law = self.setup.meta.called(self.setup.settings.taken_over);

@@ -7,8 +7,9 @@
 //! normal law; for `hooke/hysteresis` it is the loading stiffness.
 //!
 //! Limits: a sign torque never settles; near rest it overshoots by up to `|M| dt/I` each step and chatters.
+use super::formulas::{without_normal, ConstantTorque};
 use super::prop;
-use crate::lane::{dot, norm, select3, zero, Lane};
+use crate::lane::{norm, Lane};
 use crate::law::*;
 
 /// The law.
@@ -17,8 +18,7 @@ pub struct Cdt;
 /// What sizes and types decide.
 #[derive(Clone, Copy, Debug)]
 pub struct Fit<L = f64> {
-    mu: L,
-    reff: L,
+    torque: ConstantTorque<L>,
     torsion: bool,
 }
 
@@ -50,7 +50,7 @@ impl Law for Cdt {
     }
 
     fn fit(c: &(f64, bool), size: &Size) -> Fit {
-        Fit { mu: c.0, reff: size.reff(), torsion: c.1 }
+        Fit { torque: ConstantTorque::new(c.0, size), torsion: c.1 }
     }
 
     fn touch(f: &Fit, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
@@ -75,22 +75,14 @@ impl LaneLaw for Cdt {
     }
 
     fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
-        Fit { mu: L::from_fn(|k| f[k].mu), reff: L::from_fn(|k| f[k].reff), torsion: f[0].torsion }
+        Fit { torque: ConstantTorque::side_by_side(|k| f[k].torque), torsion: f[0].torsion }
     }
 
     #[inline]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
-        let spin = norm(&x.roll);
-        // (E1); LIGGGHTS multiplies in another order on a wall.
-        let torque = if call.is_wall {
-            let size = f.mu * (x.deltan * s.kn);
-            x.roll.map(|w| size * w / spin * f.reff)
-        } else {
-            x.roll * (f.mu * s.kn * x.deltan * f.reff / spin)
-        };
-        let mut torque = select3(spin.gt(L::splat(0.0)), torque, zero());
+        let mut torque = f.torque.along(&x.roll, call, x, s.kn); // (E1)
         if !f.torsion {
-            torque -= x.en * dot(&torque, &x.en); // (E2)
+            torque = without_normal(torque, &x.en); // (E2)
         }
         s.torque_i -= torque;
         s.torque_j += torque;

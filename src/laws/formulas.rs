@@ -1,5 +1,7 @@
 //! What several laws share. Operations stand in LIGGGHTS's order, so that the same numbers come out to the last bit.
-use crate::law::{Pair, Size};
+use crate::lane::{dot, norm, select3, zero, Lane};
+use crate::law::{Call, Pair, Size, Surface};
+use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// Effective Young's modulus E* \[Pa\]: `1/E* = (1−νi²)/Ei + (1−νj²)/Ej`.
@@ -19,6 +21,59 @@ pub fn effective_shear(pair: &Pair<'_>) -> f64 {
 pub fn hooke_stiffness(yeff: f64, reff: f64, meff: f64, vc: f64) -> f64 {
     let root = reff.sqrt();
     16.0 / 15.0 * root * yeff * (15.0 * meff * vc * vc / (16.0 * root * yeff)).powf(0.2)
+}
+
+/// Contact radius \[m\] of two adhesive spheres without load, from the work of adhesion W \[J/m²\], R* \[m\] and E* \[Pa\]:
+/// `(9π W R*² / (2E*))^(1/3)` (Johnson, Kendall, Roberts 1971).
+pub fn jkr_radius(work: f64, reff: f64, yeff: f64) -> f64 {
+    (9.0 * PI * work * reff * reff / (2.0 * yeff)).powf(1.0 / 3.0)
+}
+
+/// A resistance of constant size `μr kn δ R*` \[N m\] against turning.
+#[derive(Clone, Copy, Debug)]
+pub struct ConstantTorque<L = f64> {
+    mu: L,
+    reff: L,
+}
+
+impl ConstantTorque {
+    /// From μr and the sizes.
+    pub fn new(mu: f64, size: &Size) -> ConstantTorque {
+        ConstantTorque { mu, reff: size.reff() }
+    }
+
+    /// One per lane.
+    pub fn side_by_side<L: Lane>(of: impl Fn(usize) -> ConstantTorque) -> ConstantTorque<L> {
+        ConstantTorque { mu: L::from_fn(|k| of(k).mu), reff: L::from_fn(|k| of(k).reff) }
+    }
+}
+
+impl<L: Lane> ConstantTorque<L> {
+    /// Its size \[N m\].
+    #[inline]
+    pub fn size(&self, x: &Surface<L>, kn: L) -> L {
+        self.mu * kn * x.deltan * self.reff
+    }
+
+    /// The torque along an axis of any length; none where it has no length.
+    #[inline]
+    pub fn along(&self, axis: &Vector3<L>, call: &Call, x: &Surface<L>, kn: L) -> Vector3<L> {
+        let length = norm(axis);
+        // LIGGGHTS multiplies in another order on a wall.
+        let torque = if call.is_wall {
+            let size = self.mu * (x.deltan * kn);
+            axis.map(|a| size * a / length * self.reff)
+        } else {
+            axis * (self.size(x, kn) / length)
+        };
+        select3(length.gt(L::splat(0.0)), torque, zero())
+    }
+}
+
+/// A vector without its part along the unit normal.
+#[inline]
+pub fn without_normal<L: Lane>(v: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
+    v - en * dot(&v, en)
 }
 
 /// What `viscous on` needs to turn a normal velocity into ln e.

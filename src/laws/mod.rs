@@ -2,6 +2,7 @@
 use crate::law::{entry, Entry, Kind};
 
 pub mod cdt;
+pub mod cdt_jkr;
 pub mod formulas;
 pub mod hertz;
 pub mod history;
@@ -19,6 +20,7 @@ pub static LAWS: &[Entry] = &[
     entry::<no_history::NoHistory>(),
     entry::<history::History>(),
     entry::<cdt::Cdt>(),
+    entry::<cdt_jkr::CdtJkr>(),
 ];
 
 /// The law of a kind with a name, given as LIGGGHTS has it (`hooke`) or as our own (`hooke/rs`).

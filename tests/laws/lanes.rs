@@ -2,7 +2,9 @@
 use crate::recipe::{chain_of, for_all, Case, Draw, Recipe, Switches};
 use granlaw::lane::{Lane, Pack};
 use granlaw::law::*;
-use granlaw::laws::{cdt::Cdt, hertz::Hertz, history, hooke::Hooke, hooke_hysteresis::HookeHysteresis};
+use granlaw::laws::{
+    cdt::Cdt, cdt_jkr::CdtJkr, hertz::Hertz, history, hooke::Hooke, hooke_hysteresis::HookeHysteresis,
+};
 use granlaw::laws::{no_history::NoHistory, LAWS};
 use nalgebra::Vector3;
 
@@ -27,6 +29,8 @@ fn batch(c: &Case, d: &mut Draw<'_>, width: usize) -> Vec<Case> {
                 1 => (s.vn, s.vtr, s.roll) = (0.0, Vector3::zeros(), Vector3::zeros()),
                 2 => c.history.iter_mut().for_each(|h| *h = s.deltan),
                 3 => c.history.iter_mut().for_each(|h| *h = 0.0),
+                4 => s.roll *= 1e-6,
+                5 => s.roll = s.en * 10.0,
                 _ => s.vtr *= d.within(0.0, 1.0),
             }
             c
@@ -39,14 +43,24 @@ fn handed_on(c: &Case) -> Stage {
     let x = &c.contact.surface;
     let (kn, gamma) = (1e4, 0.3);
     let fn_ = kn * x.deltan - gamma * x.vn;
-    Stage { fn_, kn, kt: 0.8 * kn, gamman: gamma, gammat: gamma, force: x.en * fn_, ..Stage::default() }
+    let (torque_i, torque_j) = (x.vtr * (1e-3 * fn_), x.vtr * (5e-4 * fn_));
+    let force = x.en * fn_;
+    Stage {
+        fn_,
+        kn,
+        kt: 0.8 * kn,
+        gamman: gamma,
+        gammat: gamma,
+        force,
+        torque_i,
+        torque_j,
+        mark: Mark::Leave,
+    }
 }
 
 fn fit<W: LaneLaw>(r: &Recipe, c: &Case) -> W::FitOf<f64> {
     let coeffs = W::coeffs(&r.setups[0].pair(c.types.0, c.types.1)).expect("usual values");
-    let g = &c.contact.gap;
-    let size = Size { radi: g.i.radius, radj: g.j.radius, meff: g.meff, is_wall: g.call.is_wall };
-    W::fit_at(&W::fit(&coeffs, &size), c.contact.surface.vn)
+    W::fit_at(&W::fit(&coeffs, &c.contact.gap.size()), c.contact.surface.vn)
 }
 
 fn one_by_one<W: LaneLaw>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits> {
@@ -83,6 +97,8 @@ fn at_once<W: LaneLaw, L: Lane>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<
         gamman: number(&|c| handed_on(c).gamman),
         gammat: number(&|c| handed_on(c).gammat),
         force: vector(&|c| handed_on(c).force),
+        torque_i: vector(&|c| handed_on(c).torque_i),
+        torque_j: vector(&|c| handed_on(c).torque_j),
         ..Stage::default()
     };
     let fits: Vec<_> = cases.iter().map(|c| fit::<W>(r, c)).collect();
@@ -125,13 +141,14 @@ fn every_width<W: LaneLaw>(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
 type LaneCheck = fn(&Recipe, &Case, &mut Draw<'_>) -> Outcome;
 
 /// The laws with a hot function for lanes. A law that stays scalar is named in `SCALAR` instead.
-const LANE_LAWS: [(&Meta, LaneCheck); 6] = [
+const LANE_LAWS: [(&Meta, LaneCheck); 7] = [
     (&Hooke::META, every_width::<Hooke>),
     (&Hertz::META, every_width::<Hertz>),
     (&HookeHysteresis::META, every_width::<HookeHysteresis>),
     (&NoHistory::META, every_width::<NoHistory>),
     (&history::History::META, every_width::<history::History>),
     (&Cdt::META, every_width::<Cdt>),
+    (&CdtJkr::META, every_width::<CdtJkr>),
 ];
 const SCALAR: [&str; 0] = [];
 

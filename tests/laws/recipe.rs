@@ -46,8 +46,8 @@ impl Draw<'_> {
 pub enum Switches {
     Default,
     Any,
-    /// Any, but this one off.
-    Off(&'static str),
+    /// Any, but this one at this option.
+    With(&'static str, &'static str),
 }
 
 /// Something wrong, planted behind the chain: sees the contact and the history before, may bend what came out.
@@ -100,8 +100,8 @@ fn settings(m: &'static Meta, switches: Switches, d: &mut Draw<'_>) -> Settings 
     let mut settings = Settings::new(m, false);
     for s in m.settings.iter().filter(|s| s.support != Support::Refused) {
         let option = match switches {
-            Switches::Default => continue,
-            Switches::Off(name) if s.name == name => "off",
+            Switches::Default if s.default.is_some() => continue,
+            Switches::With(name, option) if s.name == name => option,
             _ => s.options[(d.unit() * s.options.len() as f64) as usize],
         };
         settings.set(s.name, option).unwrap();

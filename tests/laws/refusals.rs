@@ -15,7 +15,8 @@ pub fn refuses<T>(outcome: Result<T, LawError>, words: &[&str]) -> Result<(), St
 /// Everything in the middle of its usual range, settings at their defaults or as asked.
 pub fn sound(meta: &'static Meta, chosen: &[(&str, &str)]) -> Setup {
     let mut settings = Settings::new(meta, false);
-    for (name, option) in chosen {
+    let open = meta.settings.iter().filter(|s| s.default.is_none()).map(|s| (s.name, s.options[0]));
+    for (name, option) in open.chain(chosen.iter().copied()) {
         settings.set(name, option).unwrap();
     }
     let of = meta.props.iter().map(|p| vec![0.5 * (p.usual.0 + p.usual.1); p.shape.len(2)]).collect();
@@ -142,6 +143,30 @@ fn a_setting_that_is_not_done_is_refused_by_name_when_it_is_on_under_either_name
         }
     }
     assert!(refused > 0, "no law refuses a setting");
+}
+
+#[test]
+fn a_setting_without_default_must_be_chosen_and_its_options_are_explained() {
+    let mut open = 0;
+    for e in LAWS {
+        for s in e.meta.settings.iter().filter(|s| s.default.is_none()) {
+            let mut setup = sound(e.meta, &[]);
+            setup.settings = Settings::new(e.meta, false);
+            for other in e.meta.settings.iter().filter(|o| o.default.is_none() && o.name != s.name) {
+                setup.settings.set(other.name, other.options[0]).unwrap();
+            }
+            let law = setup.meta.called(false);
+            let mut words = vec![&law[..], s.name, "must be given", s.doc];
+            words.extend(s.options);
+            refuses(prepare(&setup), &words).unwrap();
+            for option in s.options {
+                setup.settings.set(s.name, option).unwrap();
+                assert_eq!(prepare(&setup), Ok(()));
+            }
+            open += 1;
+        }
+    }
+    assert!(open > 0, "no law has such a setting");
 }
 
 #[test]

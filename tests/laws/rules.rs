@@ -261,6 +261,8 @@ pub fn wall_limit(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let large = 1e9;
     let mut y = c.contact;
     y.gap.call.is_wall = false;
+    // Of a wall LIGGGHTS shows a rolling law a longer spin than of a sphere.
+    y.surface.roll = i.omega;
     y.gap.j = Body { tag: 2, radius: i.radius * large, mass: i.mass * large, ..y.gap.j };
     y.gap.meff = i.mass * (large / (1.0 + large));
     let (mut h, mut k) = (c.history.clone(), c.history.clone());

@@ -175,7 +175,7 @@ typedef struct granlaw_surfaces_intersect_data {
   double P_diss;                     /* not used */
 } granlaw_surfaces_intersect_data;
 
-/* LIGGGHTS: ForceData. Added to, never cleared. */
+/* LIGGGHTS: ForceData: what the laws of this contact have given so far. Added to, never cleared. */
 typedef struct granlaw_force_data {
   double delta_F[3];                 /* [N] */
   double delta_torque[3];            /* [N m] */
@@ -187,6 +187,8 @@ typedef struct granlaw_pass {
   int64_t step;                      /* its number */
   const double *x;                   /* positions, 3 per particle [m] */
   const int *tag;                    /* numbers of the particles */
+  const int *mask;                   /* group bits of the particles; not read where frozen is 0 */
+  int frozen;                        /* group bit of the particles that are held in place; 0 for none */
 } granlaw_pass;
 
 /* Once before the contacts of a step, and before any single wall contact. */
@@ -194,8 +196,8 @@ granlaw_status granlaw_begin_pass(granlaw_chain *chain, const granlaw_pass *pass
 /* The surfaces overlap: run the laws, add to the forces, write kn, kt, gamman, gammat, Fn, history and flags. */
 granlaw_status granlaw_surfaces_intersect(granlaw_chain *chain, granlaw_surfaces_intersect_data *contact,
                                           granlaw_force_data *i_forces, granlaw_force_data *j_forces);
-/* They do not. `meff` is the effective mass [kg], which SurfacesCloseData lacks. */
-granlaw_status granlaw_surfaces_close(granlaw_chain *chain, granlaw_surfaces_close_data *gap, double meff,
+/* They do not. `mi` and `mj` are the masses [kg], which SurfacesCloseData lacks; `mj` is not read for a wall. */
+granlaw_status granlaw_surfaces_close(granlaw_chain *chain, granlaw_surfaces_close_data *gap, double mi, double mj,
                                       granlaw_force_data *i_forces, granlaw_force_data *j_forces);
 /* After the contacts of a step. */
 granlaw_status granlaw_end_pass(granlaw_chain *chain);

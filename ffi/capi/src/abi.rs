@@ -156,4 +156,6 @@ pub struct granlaw_pass {
     pub step: i64,
     pub x: *const f64,
     pub tag: *const ::std::os::raw::c_int,
+    pub mask: *const ::std::os::raw::c_int,
+    pub frozen: ::std::os::raw::c_int,
 }

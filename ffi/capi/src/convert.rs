@@ -117,24 +117,39 @@ unsafe fn vector(p: *const f64) -> Vector3<f64> {
 /// # Safety
 /// The pointers and indices of `s` are valid for the arrays of the pass.
 #[inline(always)]
-pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, meff: f64) -> Gap {
+pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> Gap {
     // SAFETY: as the caller promises, in this block; a wall has no place in the arrays.
     unsafe {
         let place =
             |k: i32| if pass.x.is_null() { Vector3::zeros() } else { vector(pass.x.add(3 * k as usize)) };
         let tag = |k: i32| if pass.tag.is_null() { 0 } else { i64::from(*pass.tag.add(k as usize)) };
+        let heavy = |k: i32, mass: f64| {
+            let held =
+                pass.frozen != 0 && !pass.mask.is_null() && *pass.mask.add(k as usize) & pass.frozen != 0;
+            if held {
+                f64::INFINITY
+            } else {
+                mass
+            }
+        };
         let delta = Vector3::from(s.delta);
-        let x = place(s.i);
-        let i =
-            Body { tag: tag(s.i), radius: s.radi, mass: 0.0, x, v: vector(s.v_i), omega: vector(s.omega_i) };
+        let (x, mass_i) = (place(s.i), heavy(s.i, mass[0]));
+        let i = Body {
+            tag: tag(s.i),
+            radius: s.radi,
+            mass: mass_i,
+            x,
+            v: vector(s.v_i),
+            omega: vector(s.omega_i),
+        };
         let j = if s.is_wall {
             let tag = -1 - i64::from(s.j.max(0));
             Body { tag, x: x - delta, v: vector(s.v_j), ..Body::default() }
         } else {
             let (x, omega) = (place(s.j), vector(s.omega_j));
-            Body { tag: tag(s.j), radius: s.radj, mass: 0.0, x, v: vector(s.v_j), omega }
+            Body { tag: tag(s.j), radius: s.radj, mass: heavy(s.j, mass[1]), x, v: vector(s.v_j), omega }
         };
-        Gap { call: call(pass, s), i, j, delta, rsq: s.rsq, meff }
+        Gap { call: call(pass, s), i, j, delta, rsq: s.rsq, meff: 0.0 }.weighed()
     }
 }
 
@@ -143,12 +158,10 @@ pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, meff: f6
 #[inline(always)]
 pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) -> Contact {
     // SAFETY: as the caller promises.
-    let mut gap = unsafe { gap(pass, &s.close, s.meff) };
-    gap.i.mass = s.mi;
+    let gap = Gap { meff: s.meff, ..unsafe { gap(pass, &s.close, [s.mi, s.mj]) } };
     let (roll, crj) = if s.close.is_wall {
         (Vector3::new(s.wr1, s.wr2, s.wr3), 0.0)
     } else {
-        gap.j.mass = s.mj;
         (gap.i.omega - gap.j.omega, s.crj)
     };
     let vtr = Vector3::new(s.vtr1, s.vtr2, s.vtr3);
@@ -175,7 +188,23 @@ pub fn non_finite(chain: &Chain, x: &Contact) -> Failure {
     ))
 }
 
-/// Add force and torque: the opposite force to j, none to a wall.
+/// What the chain begins with: the torques that LIGGGHTS's laws before it have given to this contact.
+#[inline]
+pub fn stage(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Stage {
+    let torque_i = Vector3::from(fi.delta_torque) / share(s);
+    Stage { torque_i, torque_j: fj.delta_torque.into(), ..Stage::default() }
+}
+
+/// How much of a wall contact counts.
+fn share(s: &granlaw_surfaces_close_data) -> f64 {
+    if s.is_wall {
+        s.area_ratio
+    } else {
+        1.0
+    }
+}
+
+/// Add the force, the opposite one to j and none to a wall; the torques hold what was there before.
 #[inline]
 pub fn hand_out(
     stage: &Stage,
@@ -183,12 +212,12 @@ pub fn hand_out(
     fi: &mut granlaw_force_data,
     fj: &mut granlaw_force_data,
 ) {
-    let share = if s.is_wall { s.area_ratio } else { 1.0 };
+    let share = share(s);
     for k in 0..3 {
         fi.delta_F[k] += stage.force[k] * share;
-        fi.delta_torque[k] += stage.torque_i[k] * share;
+        fi.delta_torque[k] = stage.torque_i[k] * share;
         // LIGGGHTS's rolling laws turn a wall too, though nobody reads it.
-        fj.delta_torque[k] += stage.torque_j[k];
+        fj.delta_torque[k] = stage.torque_j[k];
         if !s.is_wall {
             fj.delta_F[k] -= stage.force[k];
         }

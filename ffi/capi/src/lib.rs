@@ -83,7 +83,8 @@ pub unsafe extern "C" fn granlaw_prepare(
         // SAFETY: the arrays in `setup` have the lengths that granlaw.h states.
         let (setups, offsets) = unsafe { convert::setups(setup) }?;
         let chain = Chain::new(&setups, &offsets).map_err(|e| Failure::refused(e.to_string()))?;
-        let pass = granlaw_pass { dt: 0.0, step: 0, x: std::ptr::null(), tag: std::ptr::null() };
+        let none = std::ptr::null();
+        let pass = granlaw_pass { dt: 0.0, step: 0, x: std::ptr::null(), tag: none, mask: none, frozen: 0 };
         *out = Box::into_raw(Box::new(granlaw_chain { chain, pass }));
         Ok(())
     })
@@ -134,8 +135,8 @@ pub unsafe extern "C" fn granlaw_surfaces_intersect(
         if !convert::finite(&x) {
             return Err(convert::non_finite(&c.chain, &x));
         }
-        let mut stage =
-            Stage { fn_: s.Fn, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat, ..Stage::default() };
+        let mut stage = convert::stage(&s.close, fi, fj);
+        (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat) = (s.Fn, s.kn, s.kt, s.gamman, s.gammat);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.close.contact_history, c.chain.row()) }?;
         let marks = c.chain.touch(types, &x, row, &mut stage);
@@ -151,7 +152,8 @@ pub unsafe extern "C" fn granlaw_surfaces_intersect(
 pub unsafe extern "C" fn granlaw_surfaces_close(
     chain: *mut granlaw_chain,
     gap: *mut granlaw_surfaces_close_data,
-    meff: f64,
+    mi: f64,
+    mj: f64,
     i_forces: *mut granlaw_force_data,
     j_forces: *mut granlaw_force_data,
 ) -> granlaw_status {
@@ -163,8 +165,8 @@ pub unsafe extern "C" fn granlaw_surfaces_close(
         };
         let types = convert::types(s, c.chain.types())?;
         // SAFETY: the gap's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
-        let x = unsafe { convert::gap(&c.pass, s, meff) };
-        let mut stage = Stage::default();
+        let x = unsafe { convert::gap(&c.pass, s, [mi, mj]) };
+        let mut stage = convert::stage(s, fi, fj);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.contact_history, c.chain.row()) }?;
         let marks = c.chain.apart(types, &x, row, &mut stage);

@@ -7,6 +7,20 @@
 
 namespace granlaw {
 
+// Masses as LIGGGHTS's pair loop takes them: of a rigid body, its own.
+inline double mass(LAMMPS *lmp, PairGran *pair, int i) {
+  const LAMMPS_NS::Atom *atom = lmp->atom;
+  if (pair && pair->fr_pair() && pair->mr_pair()[i] > 0.0) return pair->mr_pair()[i];
+  return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+}
+
+// What holds for the contacts of a step; `pair` is NULL for a wall.
+inline granlaw_pass pass_of(LAMMPS *lmp, PairGran *pair) {
+  const LAMMPS_NS::Atom *atom = lmp->atom;
+  return granlaw_pass{lmp->update->dt, static_cast<int64_t>(lmp->update->ntimestep), atom->x ? atom->x[0] : nullptr,
+                      atom->tag, atom->mask, pair ? pair->freeze_group_bit() : 0};
+}
+
 // One law with what the deck says of it.
 class Law {
  public:
@@ -32,14 +46,22 @@ class Law {
   }
 
   // Takes a setting whose options are words of its own; LIGGGHTS's Settings only knows on/off, yes/no and numbers.
-  bool take(const char *name, const char *option) {
+  // `option` is NULL where the deck ends after the name.
+  bool take(const char *setting, const char *option) {
     for (size_t k = 0; k < d_.n_settings; k++) {
-      if (!offered(k) || is_switch(k) || strcmp(d_.settings[k].name, name)) continue;
-      for (size_t o = 0; o < d_.settings[k].n_options; o++)
-        if (!strcmp(d_.settings[k].options[o], option)) {
+      const granlaw_setting &s = d_.settings[k];
+      if (!offered(k) || is_switch(k) || strcmp(s.name, setting)) continue;
+      std::string known;
+      for (size_t o = 0; o < s.n_options; o++) {
+        if (option && !strcmp(s.options[o], option)) {
           options_[k] = static_cast<int32_t>(o);
           return true;
         }
+        known += std::string(o ? ", " : "") + s.options[o];
+      }
+      const std::string text = std::string(name()) + ": setting " + s.name + " " + (option ? option : "(nothing)") +
+                               ": must be one of " + known;
+      lmp_->error->all(GRANLAW_HERE, text.c_str());
     }
     return false;
   }
@@ -106,11 +128,19 @@ class Law {
     return nullptr;
   }
 
+  // Whether the deck gives a property of our own; one that it does not give stays empty, for the law to say so.
+  bool given(const granlaw_prop &p, int n, const char *caller) const {
+    static const char *shapes[] = {"scalar", "peratomtype", "peratomtypepair"};
+    const int rows = p.shape == GRANLAW_SCALAR ? 0 : n, columns = p.shape == GRANLAW_PER_PAIR ? n : 0;
+    return lmp_->modify->find_fix_property(p.name, "property/global", shapes[p.shape], rows, columns, caller, false);
+  }
+
   void read(PropertyRegistry &registry, const granlaw_prop &p, std::vector<double> &out) const {
     const int n = registry.max_type();
     const std::string caller = std::string("model ") + name();
     const std::string key = std::string("granlaw:") + p.name;
     const Known *k = known(p.name);
+    if (!k && !given(p, n, caller.c_str())) return;
     if (p.shape == GRANLAW_SCALAR) {
       if (k) registry.registerProperty(key, k->scalar);
       out.push_back(k ? registry.getScalarProperty(key, caller.c_str())->data
@@ -166,9 +196,7 @@ class Segment {
   }
 
   void beginPass() {
-    const LAMMPS_NS::Atom *atom = lmp_->atom;
-    const granlaw_pass pass = {lmp_->update->dt, static_cast<int64_t>(lmp_->update->ntimestep),
-                               atom->x ? atom->x[0] : nullptr, atom->tag};
+    const granlaw_pass pass = pass_of(lmp_, pair_);
     check(granlaw_begin_pass(chain_, &pass));
   }
   void endPass() { check(granlaw_end_pass(chain_)); }
@@ -182,26 +210,14 @@ class Segment {
     if (s.is_wall) beginPass();
     LAMMPS_NS::Atom *atom = lmp_->atom;
     s.omega_i = atom->omega[s.i];  // stale or unset in LIGGGHTS
-    double meff = mass(s.i);
-    if (!s.is_wall) {
-      s.omega_j = atom->omega[s.j];
-      const int frozen = pair_ ? pair_->freeze_group_bit() : 0;
-      const double mi = meff, mj = mass(s.j);
-      meff = mi * mj / (mi + mj);
-      if (atom->mask[s.i] & frozen) meff = mj;
-      if (atom->mask[s.j] & frozen) meff = mi;
-    }
-    check(granlaw_surfaces_close(chain_, mirror(s), meff, mirror(i_forces), mirror(j_forces)));
+    if (!s.is_wall) s.omega_j = atom->omega[s.j];
+    const double mi = mass(lmp_, pair_, s.i), mj = s.is_wall ? 0.0 : mass(lmp_, pair_, s.j);
+    check(granlaw_surfaces_close(chain_, mirror(s), mi, mj, mirror(i_forces), mirror(j_forces)));
   }
 
   const std::vector<std::unique_ptr<Law> > &laws() const { return laws_; }
 
  private:
-  double mass(int i) const {
-    const LAMMPS_NS::Atom *atom = lmp_->atom;
-    if (pair_ && pair_->fr_pair() && pair_->mr_pair()[i] > 0.0) return pair_->mr_pair()[i];
-    return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-  }
   void check(granlaw_status status) {
     if (status != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
   }

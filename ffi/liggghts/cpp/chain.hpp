@@ -41,8 +41,7 @@ class Chain : public ContactModelBase {
     std::vector<char *> rest;
     for (int k = 0; k < n; k += 2) {
       bool mine = false;
-      if (k + 1 < n)
-        for (Law *law : laws_) mine = law->take(args[k], args[k + 1]) || mine;
+      for (Law *law : laws_) mine = law->take(args[k], k + 1 < n ? args[k + 1] : nullptr) || mine;
       if (mine) continue;
       rest.insert(rest.end(), args + k, args + std::min(k + 2, n));
     }

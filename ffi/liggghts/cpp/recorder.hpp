@@ -38,7 +38,7 @@ struct granlaw_recorded_call {
   const granlaw_pass *pass;
   const granlaw_surfaces_intersect_data *contact;
   bool touch;
-  double meff;
+  double mi, mj;
   const double *before, *after;
   const granlaw_force_data *i_forces, *j_forces;
 };

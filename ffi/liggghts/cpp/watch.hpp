@@ -62,14 +62,14 @@ class Watch {
     if (on_ && n_ && s.contact_history) std::copy(s.contact_history, s.contact_history + n_, before_.begin());
   }
   void touched(SurfacesIntersectData &s, ForceData &i, ForceData &j) {
-    if (on_) write(s, true, s.meff, i, j);
+    if (on_) write(s, true, i, j);
   }
   void parted(SurfacesCloseData &s, ForceData &i, ForceData &j) {
     if (!on_) return;
     s.omega_i = lmp_->atom->omega[s.i];
     if (!s.is_wall) s.omega_j = lmp_->atom->omega[s.j];
     // LIGGGHTS hands the larger struct through a reference to its base.
-    write(static_cast<SurfacesIntersectData &>(s), false, 0.0, i, j);
+    write(static_cast<SurfacesIntersectData &>(s), false, i, j);
   }
 
  private:
@@ -81,10 +81,7 @@ class Watch {
     size_t at;
   };
 
-  void look() {
-    const LAMMPS_NS::Atom *atom = lmp_->atom;
-    pass_ = {lmp_->update->dt, static_cast<int64_t>(lmp_->update->ntimestep), atom->x ? atom->x[0] : nullptr, atom->tag};
-  }
+  void look() { pass_ = pass_of(lmp_, pair_); }
 
   // A contact that two ranks see is written by the one that owns the lower tag.
   bool mine(const SurfacesCloseData &s) const {
@@ -92,12 +89,13 @@ class Watch {
     return s.is_wall || s.j < atom->nlocal || atom->tag[s.i] < atom->tag[s.j];
   }
 
-  void write(SurfacesIntersectData &s, bool touch, double meff, ForceData &i, ForceData &j) {
+  void write(SurfacesIntersectData &s, bool touch, ForceData &i, ForceData &j) {
     if (s.is_wall) look();
     if (pass_.step % static_cast<int64_t>(mode().every) || !mine(s)) return;
     start(false);
     const double *after = n_ && s.contact_history ? s.contact_history : before_.data();
-    const granlaw_recorded_call call = {&pass_, mirror(s), touch, meff, before_.data(), after, mirror(i), mirror(j)};
+    const double mi = mass(lmp_, pair_, s.i), mj = s.is_wall ? 0.0 : mass(lmp_, pair_, s.j);
+    const granlaw_recorded_call call = {&pass_, mirror(s), touch, mi, mj, before_.data(), after, mirror(i), mirror(j)};
     check(granlaw_record_call(recorder_, &call));
   }
 

@@ -65,7 +65,8 @@ pub struct RecordedCall {
     pass: *const granlaw_pass,
     contact: *const granlaw_surfaces_intersect_data,
     touch: bool,
-    meff: f64,
+    mi: f64,
+    mj: f64,
     before: *const f64,
     after: *const f64,
     i_forces: *const granlaw_force_data,
@@ -229,7 +230,7 @@ unsafe fn row(c: &RecordedCall, n: usize) -> Row {
         (x.gap, x.surface, handed)
     } else {
         // SAFETY: as above.
-        (unsafe { gap(pass, &s.close, c.meff) }, Surface::default(), Handed::default())
+        (unsafe { gap(pass, &s.close, [c.mi, c.mj]) }, Surface::default(), Handed::default())
     };
     Row {
         computeflag: s.close.computeflag,

@@ -1,0 +1,241 @@
+//! Rolling resistance of adhesive spheres: the constant directional torque of `cdt`, with a coefficient that follows
+//! from the work of adhesion and its hysteresis instead of being given.
+//!
+//! Source: "CDT–JKR 転がり抵抗モデルの数式解説", Open DEM Japan, 29 June 2025; the numbers are its own.
+//!
+//! | symbol | unit | |
+//! |---|---|---|
+//! | W, η | J/m², 1 | `workOfAdhesion`, `adhesionHysteresis` |
+//! | R*, E* | m, Pa | effective radius (wall: R_i) and Young's modulus |
+//! | kn, δ | N/m, m | from the normal law; for `hooke/hysteresis` kn is the loading stiffness |
+//! | ω_ij | rad/s | ω_i − ω_j (wall: ω_i) |
+//!
+//! - (2) `a0 = (9π W R*² / (2E*))^(1/3)`, the contact radius without load \[m\]
+//! - (3) `μr = π a0/(4R*) η`
+//! - (5) `ω_t = ω_ij − (ω_ij·n) n`, the rolling part of (4)
+//! - (7) `Fn = kn δ`, the elastic product and not the force of the normal law; (8) `Mmax = μr Fn R*`
+//! - (9) `M = −Mmax ω_t/|ω_t|` on i, `−M` on j, zero where nothing rolls
+//! - (10) with `torsionTorque off` (default) no part along n; with `on`, `M = −Mmax ω_ij/|ω_ij|`
+//! - (L) `restTorqueLimit on`: ω_ij is replaced by `q = I (ω_ij/dt + T_i/I_i − T_j/I_j)`, the torque \[N m\] that would bring
+//!   the pair to rest within the step against the torques T of the laws before this one, `1/I = 1/I_i + 1/I_j`;
+//!   and |M| is at most |q|
+//!
+//! Departures and choices. `cdtJkrConvention upstream` is the header of LIGGGHTS_Flexible_Fibers instead: (3) without π,
+//! and (9) over the length of the whole ω_ij, so that |M| shrinks as soon as there is spin along n. (9) and (10)
+//! contradict each other for `torsionTorque on`, as (9) leaves no part along n; both conventions then resist the whole
+//! spin. The displacement (6) is not stored, since nothing reads it. (L) is ours.
+//!
+//! Limits: without (L) a sign torque never settles; near rest it overshoots by up to `Mmax dt/I` each step, and what lies
+//! on a slope creeps. (L) takes spheres for solid and free, unless frozen.
+use super::formulas::{effective_young, jkr_radius, without_normal, ConstantTorque};
+use super::prop;
+use crate::lane::{dot, norm, select3, zero, Lane};
+use crate::law::*;
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// The law.
+pub struct CdtJkr;
+
+/// What types decide.
+#[derive(Clone, Copy, Debug)]
+pub struct Coeffs {
+    work: f64,
+    hysteresis: f64,
+    yeff: f64,
+    documented: bool,
+    switches: Switches,
+}
+
+/// What the deck chose.
+#[derive(Clone, Copy, Debug)]
+struct Switches {
+    /// Resist spin along the normal too.
+    torsion: bool,
+    /// Normalise by the rolling part only (9).
+    rolling_part: bool,
+    /// (L).
+    rest_limit: bool,
+}
+
+/// What sizes, masses and types decide.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit<L = f64> {
+    torque: ConstantTorque<L>,
+    /// 1/I_i and 1/I_j, and I of (L).
+    mobility: [L; 2],
+    inertia: L,
+    switches: Switches,
+}
+
+const fn adhesion(
+    name: &'static str,
+    symbol: &'static str,
+    unit: Unit,
+    usual: (f64, f64),
+    doc: &'static str,
+) -> Prop {
+    let (shape, range, need) = (Shape::PerPair, Range::at_least(0.0), Need::Always);
+    Prop { name, symbol, shape, unit, range, usual, need, doc }
+}
+
+/// Share of the spin below which a rolling part is the round-off of a spin along the normal, squared.
+const ROUND_OFF: f64 = 1e-28;
+
+impl Law for CdtJkr {
+    const META: Meta = Meta {
+        kind: Kind::Rolling,
+        keyword: "cdt_jkr",
+        id: 58,
+        stock_id: None,
+        summary: "constant directional torque of adhesive spheres",
+        props: &[
+            prop::YOUNG,
+            prop::POISSON,
+            adhesion(
+                "workOfAdhesion",
+                "W",
+                Unit::J_PER_M2,
+                (1e-3, 5.0),
+                "energy per area that parts two surfaces",
+            ),
+            adhesion(
+                "adhesionHysteresis",
+                "η",
+                Unit::ONE,
+                (0.0, 50.0),
+                "hysteresis of adhesion, a factor of the rolling friction",
+            ),
+        ],
+        settings: &[
+            Setting::off("torsionTorque", Support::Full, "also resist spin about the normal"),
+            Setting::off(
+                "restTorqueLimit",
+                Support::Full,
+                "never let the torque turn the spin round within a step, so that what rolls comes to rest",
+            ),
+            Setting {
+                name: "cdtJkrConvention",
+                options: &["documented", "upstream"],
+                default: None,
+                support: Support::Full,
+                doc: "documented is the published law, with pi in the rolling friction and the size of the torque set by the \
+                      rolling part of the spin; upstream is the code of LIGGGHTS_Flexible_Fibers, without pi and with the \
+                      whole spin. The torques differ by a factor of pi and more, so there is no default",
+            },
+        ],
+        slots: &[],
+        stress_strain_exponent: 0.0,
+        reach: Reach::Overlap,
+        coarse_graining: false,
+        references: &[
+            "Open DEM Japan, CDT-JKR rolling resistance model (rolling_model_cdt_jkr.h), 29 June 2025",
+            "K.L. Johnson, K. Kendall, A.D. Roberts, Proc. R. Soc. A 324 (1971) 301",
+        ],
+        exceptions: &[Exception {
+            rule: Rule::Continuous,
+            why: "the torque keeps its size and changes sign with the spin, unless restTorqueLimit is on",
+        }],
+    };
+    type History = [f64; 0];
+    type Coeffs = Coeffs;
+    type Fit = Fit;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        let (torsion, rest_limit) = (p.on("torsionTorque"), p.on("restTorqueLimit"));
+        if rest_limit && p.nktv2p() != 1.0 {
+            // There a torque over an inertia is no angular acceleration.
+            let why = "it needs consistent units; units real, metal and electron are not";
+            return Err(p.refuse_option("restTorqueLimit", "on", why));
+        }
+        let documented = p.option("cdtJkrConvention") == "documented";
+        Ok(Coeffs {
+            work: p.get("workOfAdhesion"),
+            hysteresis: p.get("adhesionHysteresis"),
+            yeff: effective_young(p) / p.nktv2p(),
+            documented,
+            switches: Switches { torsion, rolling_part: documented && !torsion, rest_limit },
+        })
+    }
+
+    fn fit(c: &Coeffs, size: &Size) -> Fit {
+        let reff = size.reff();
+        let a0 = jkr_radius(c.work, reff, c.yeff); // (2)
+        let pi = if c.documented { PI } else { 1.0 };
+        let mu = pi * a0 / (4.0 * reff) * c.hysteresis; // (3)
+        let (i, j) = size.mobilities();
+        // Two that are held do not turn.
+        let inertia = if i + j > 0.0 { 1.0 / (i + j) } else { 0.0 };
+        Fit { torque: ConstantTorque::new(mu, size), mobility: [i, j], inertia, switches: c.switches }
+    }
+
+    fn touch(f: &Fit, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
+        Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
+    }
+
+    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+        s.mark = Mark::Leave; // As `cdt`.
+    }
+
+    fn observe(f: &Fit, x: &Contact, _: &[f64; 0]) -> Terms {
+        let rolls = norm(&f.axis(x.surface.roll, &x.surface.en)) > 0.0;
+        Terms { branch: if rolls { "rolling" } else { "at rest" }, ..Terms::default() }
+    }
+}
+
+impl<L: Lane> Fit<L> {
+    /// (L) The torque that brings the pair to rest within the step \[N m\].
+    #[inline]
+    fn resting(&self, call: &Call, x: &Surface<L>, s: &Stage<L>) -> Vector3<L> {
+        // Of a wall, the surface model gives ω_i times (R − δ/2)/(R − δ).
+        let shown = if call.is_wall { x.cri / (x.cri - L::splat(0.5) * x.deltan) } else { L::splat(1.0) };
+        let turned = s.torque_i * self.mobility[0] - s.torque_j * self.mobility[1];
+        (x.roll / (shown * L::splat(call.dt)) + turned) * self.inertia
+    }
+
+    /// What the torque is against: the whole of a spin, or its rolling part (5).
+    #[inline]
+    fn axis(&self, spin: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
+        if !self.switches.rolling_part {
+            return spin;
+        }
+        let rolling = without_normal(spin, en);
+        let rolls = dot(&rolling, &rolling).gt(dot(&spin, &spin) * L::splat(ROUND_OFF));
+        select3(rolls, rolling, zero())
+    }
+}
+
+impl LaneLaw for CdtJkr {
+    type FitOf<L: Lane> = Fit<L>;
+    type HistoryOf<L: Lane> = [L; 0];
+
+    fn fit_at(f: &Fit, _: f64) -> Fit {
+        *f
+    }
+
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit {
+            torque: ConstantTorque::side_by_side(|k| f[k].torque),
+            mobility: [0, 1].map(|b| L::from_fn(|k| f[k].mobility[b])),
+            inertia: L::from_fn(|k| f[k].inertia),
+            switches: f[0].switches,
+        }
+    }
+
+    #[inline]
+    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+        let Switches { torsion, rest_limit, .. } = f.switches;
+        let spin = if rest_limit { f.resting(call, x, s) } else { x.roll };
+        let axis = f.axis(spin, &x.en);
+        let mut torque = f.torque.along(&axis, call, x, s.kn); // (8), (9)
+        if rest_limit {
+            torque = select3(f.torque.size(x, s.kn).gt(norm(&axis)), axis, torque);
+        }
+        if !torsion {
+            torque = without_normal(torque, &x.en); // (10)
+        }
+        s.torque_i -= torque;
+        s.torque_j += torque;
+        s.mark = Mark::Leave;
+    }
+}
