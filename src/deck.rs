@@ -61,6 +61,11 @@ pub enum What {
     },
     /// One number of the last frame of the deck's dump.
     Final(Final),
+    /// The dump files against those of another deck, byte for byte.
+    SameAs {
+        /// Its file name, in the same folder.
+        deck: String,
+    },
 }
 
 /// One number of the last frame of the deck's dump, held against a known one.
@@ -118,20 +123,30 @@ impl Deck {
         let bytes =
             fs::read(path).map_err(|source| DeckError::Unreadable { path: path.to_path_buf(), source })?;
         let deck = parse::deck(path, &String::from_utf8_lossy(&bytes))?;
-        if let Some(after) = &deck.after {
-            let wrong = |what| DeckError::Comment { path: path.to_path_buf(), line: after.line, what };
-            let first = deck.folder().join(&after.deck);
-            let text = fs::read(&first).map_err(|e| {
-                wrong(format!("after {}: cannot read it: {e}; it must lie beside this deck", after.deck))
-            })?;
-            if parse::deck(&first, &String::from_utf8_lossy(&text))?.after.is_some() {
-                return Err(wrong(format!(
-                    "after {}: that deck itself continues another; only one step back is possible",
-                    after.deck
-                )));
+        for asked in &deck.checks {
+            if let What::SameAs { deck: other } = &asked.what {
+                deck.needs("check same-as", other, asked.line)?;
             }
         }
+        if let Some(after) = &deck.after {
+            deck.needs("after", &after.deck, after.line)?;
+        }
         Ok(deck)
+    }
+
+    /// Another deck of the same folder can be run: it is there, and does not itself continue a third.
+    fn needs(&self, word: &str, other: &str, line: usize) -> Result<(), DeckError> {
+        let wrong = |what| DeckError::Comment { path: self.path.clone(), line, what };
+        let path = self.folder().join(other);
+        let text = fs::read(&path).map_err(|e| {
+            wrong(format!("{word} {other}: cannot read it: {e}; it must lie beside this deck"))
+        })?;
+        match parse::deck(&path, &String::from_utf8_lossy(&text))?.after {
+            None => Ok(()),
+            Some(_) => Err(wrong(format!(
+                "{word} {other}: that deck itself continues another; only one step is possible"
+            ))),
+        }
     }
 
     /// The name of the file.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 const MARK: &str = "# granlaw:";
 const STATEMENTS: [&str; 5] = ["title", "ranks", "after", "every", "check"];
-const CHECKS: [&str; 4] = ["replay", "plugin", "two-body", "final"];
+const CHECKS: [&str; 5] = ["replay", "plugin", "two-body", "final", "same-as"];
 
 type Said<T> = Result<T, String>;
 
@@ -71,10 +71,7 @@ impl Draft {
             "title" => once(&mut self.title, word, value.to_string()),
             "ranks" => once(&mut self.ranks, word, count(word, value)?),
             "every" => once(&mut self.every, word, count(word, value)?),
-            "after" if value.is_empty() || value.contains(['/', ' ', '\t']) => {
-                Err(format!("after {value}: must be the file name of one deck in the same folder"))
-            }
-            "after" => once(&mut self.after, word, After { deck: value.to_string(), line }),
+            "after" => once(&mut self.after, word, After { deck: beside(word, value)?, line }),
             "check" => self.check(value, line),
             _ => Err(near::unknown("statement", word, &STATEMENTS)),
         }
@@ -97,6 +94,7 @@ impl Draft {
                 value: number(value)?,
                 limit: tolerance(limit)?,
             }),
+            ["same-as", deck, "identical"] => What::SameAs { deck: beside("check same-as", deck)? },
             [word, ..] if CHECKS.contains(&word) => {
                 return Err(format!("check {what}: must read `{}`", form(word)))
             }
@@ -108,6 +106,7 @@ impl Draft {
         }
         let twice = |a: &Asked| match (&a.what, &what) {
             (What::Final(a), What::Final(b)) => (&a.column, a.id) == (&b.column, b.id),
+            (What::SameAs { deck: a }, What::SameAs { deck: b }) => a == b,
             (a, b) => std::mem::discriminant(a) == std::mem::discriminant(b),
         };
         if let Some(before) = self.checks.iter().find(|a| twice(a)) {
@@ -123,6 +122,7 @@ fn form(check: &str) -> &'static str {
         "replay" => "check replay <= 1e-14 because <reason>",
         "plugin" => "check plugin identical because <reason>",
         "two-body" => "check two-body <= 1e-9 because <reason>",
+        "same-as" => "check same-as <other>.in identical because <reason>",
         _ => "check final <column> of <id> = <value> within <tolerance> because <reason>",
     }
 }
@@ -132,6 +132,14 @@ fn once<T>(slot: &mut Option<T>, word: &str, value: T) -> Said<()> {
         Some(_) => Err(format!("{word}: said twice; one is enough")),
         None => Ok(()),
     }
+}
+
+/// The name of a deck in the same folder.
+fn beside(word: &str, deck: &str) -> Said<String> {
+    if deck.is_empty() || deck.contains(['/', ' ', '\t']) {
+        return Err(format!("{word} {deck}: must be the file name of one deck in the same folder"));
+    }
+    Ok(deck.to_string())
 }
 
 fn count<T: std::str::FromStr + PartialOrd + From<u8>>(word: &str, value: &str) -> Said<T> {
@@ -162,16 +170,18 @@ mod tests {
         let text = "units si\n# granlaw: title Two spheres\n# granlaw: ranks 2\n# granlaw: after first.in\n\
             # granlaw: every 10\n# plain comment\n# granlaw: check replay <= 1e-14 because rounding\n\
             # granlaw: check plugin identical because same bits\n# granlaw: check two-body <= 1e-9 because it grows\n\
-            # granlaw: check final vx of 1 = -0.25 within 1e-6 because (E3), and because dt is small\n";
+            # granlaw: check final vx of 1 = -0.25 within 1e-6 because (E3), and because dt is small\n\
+            # granlaw: check same-as twin.in identical because both do the same\n";
         let d = parse(text).unwrap();
         assert_eq!((d.title.as_str(), d.ranks, d.every), ("Two spheres", 2, 10));
         assert_eq!(d.after, Some(After { deck: "first.in".into(), line: 4 }));
-        assert_eq!(d.checks.len(), 4);
+        assert_eq!(d.checks.len(), 5);
         assert_eq!(d.checks[2].what, What::TwoBody { limit: 1e-9 });
         let last = Final { column: "vx".into(), id: 1, value: -0.25, limit: 1e-6 };
         assert_eq!(d.checks[3].what, What::Final(last));
         assert_eq!(d.checks[3].reason, "(E3), and because dt is small");
         assert_eq!(d.checks[3].line, 10);
+        assert_eq!(d.checks[4].what, What::SameAs { deck: "twin.in".into() });
     }
 
     #[test]
@@ -201,6 +211,12 @@ mod tests {
             ("# granlaw: check final vx 1 = 2 within 3 because x", "check final <column> of <id>"),
             ("# granlaw: check final vx of a = 2 within 3 because x", "particle id a"),
             ("# granlaw: check final vx of 1 = x within 3 because x", "x: must be a number"),
+            ("# granlaw: check same-as twin.in because x", "check same-as <other>.in identical"),
+            ("# granlaw: check same-as ../twin.in identical because x", "same-as ../twin.in: must be the file name"),
+            (
+                "# granlaw: check same-as a.in identical because x\n# granlaw: check same-as a.in identical because y",
+                "line 1",
+            ),
             ("# granlaw: title a\n# granlaw: title b", "d/case.in:2: title: said twice"),
             (
                 "# granlaw: check plugin identical because x\n# granlaw: check plugin identical because y",

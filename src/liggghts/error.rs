@@ -100,6 +100,11 @@ impl RunError {
         move |source| RunError::Io { doing, path, source }
     }
 
+    /// Whether LIGGGHTS has no contact model of a name in the deck, so that it can only run with the plugin, if at all.
+    pub fn lacks_model(&self) -> bool {
+        matches!(self, RunError::Failed { message, .. } if message.contains("Invalid model specified"))
+    }
+
     /// The end of what LIGGGHTS said, where it ran.
     pub fn log(&self) -> Option<&str> {
         match self {

@@ -65,18 +65,18 @@ fn parameter(law: &LawSpec, p: &Property) -> Parameter {
 }
 
 /// Every call of the traces again through the Rust laws, with the history of the longest contact followed.
-pub(super) fn replay(traces: &[PathBuf], limit: Limit<'_>) -> (Check, Vec<Curve>) {
+pub(super) fn replay(traces: &[PathBuf], shows: Shows, limit: Limit<'_>) -> (Check, Vec<Curve>) {
     let name = "replay";
     let done: Result<Vec<Replay>, _> = traces.iter().map(|p| replay_one(p)).collect();
     let done = match done {
         Ok(done) => done,
-        Err(e) => return (checks::could_not(name, Shows::Port, e.to_string()), Vec::new()),
+        Err(e) => return (checks::could_not(name, shows, e.to_string()), Vec::new()),
     };
     let worst = done.iter().filter_map(Replay::worst).max_by(|a, b| a.error().total_cmp(&b.error()));
     let Some(worst) = worst else {
-        return (checks::could_not(name, Shows::Port, "no contact call was recorded"), Vec::new());
+        return (checks::could_not(name, shows, "no contact call was recorded"), Vec::new());
     };
-    let check = checks::within(name, Shows::Port, limit, worst.report().unwrap_or_else(|| none("bit-equal")));
+    let check = checks::within(name, shows, limit, worst.report().unwrap_or_else(|| none("bit-equal")));
     let longest = done.into_iter().max_by_key(|r| r.curves[0].time.len());
     (check, longest.map(|r| r.curves.to_vec()).unwrap_or_default())
 }
@@ -132,23 +132,23 @@ fn file(path: &Path) -> String {
 }
 
 /// The dump files of two runs, byte for byte.
-pub(super) fn dumps(name: &str, reason: &str, got: &Attempt, expected: &Attempt) -> Check {
+pub(super) fn dumps(name: &str, shows: Shows, reason: &str, got: &Attempt, expected: &Attempt) -> Check {
     let list =
         |a: &Attempt| a.ran.dumps.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
     if got.ran.dumps != expected.ran.dumps {
         let text = format!("the run wrote {} where {} was expected", list(got), list(expected));
-        return checks::identical(name, reason, Some((text, None)));
+        return checks::identical(name, shows, reason, Some((text, None)));
     }
     for dump in &expected.ran.dumps {
         match compare::dumps(&got.folder.path().join(dump), &expected.folder.path().join(dump)) {
             Ok(compare::Dumps { difference: None, .. }) => {}
             Ok(compare::Dumps { difference: Some(d), .. }) => {
-                return checks::identical(name, reason, Some(told(&dump.display().to_string(), &d)));
+                return checks::identical(name, shows, reason, Some(told(&dump.display().to_string(), &d)));
             }
-            Err(e) => return checks::could_not(name, Shows::Boundary, e.to_string()),
+            Err(e) => return checks::could_not(name, shows, e.to_string()),
         }
     }
-    checks::identical(name, reason, None)
+    checks::identical(name, shows, reason, None)
 }
 
 fn told(dump: &str, d: &Difference) -> (String, Option<Worst>) {

@@ -34,13 +34,18 @@ pub(super) fn within(name: &str, shows: Shows, limit: Limit<'_>, worst: Worst) -
 }
 
 /// Answers that must be the same to the last bit: `difference` says where they are not.
-pub(super) fn identical(name: &str, reason: &str, difference: Option<(String, Option<Worst>)>) -> Check {
+pub(super) fn identical(
+    name: &str,
+    shows: Shows,
+    reason: &str,
+    difference: Option<(String, Option<Worst>)>,
+) -> Check {
     let tolerance = Limit { limit: 0.0, reason }.tolerance();
     let (outcome, worst) = match difference {
         None => (Outcome::Agreed, None),
         Some((text, worst)) => (Outcome::Disagreed(text), worst),
     };
-    Check { name: name.into(), shows: Shows::Boundary, outcome, tolerance, worst }
+    Check { name: name.into(), shows, outcome, tolerance, worst }
 }
 
 /// A comparison that could not be made.

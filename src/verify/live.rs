@@ -30,6 +30,8 @@ struct Trial<'a> {
     bench: &'a Bench<'a>,
     deck: &'a Deck,
     first: Option<Deck>,
+    /// Whose laws run where ours stay out: `None`, LIGGGHTS alone, unless it lacks laws of the deck.
+    plain: Option<Laws>,
     case: Case,
 }
 
@@ -40,7 +42,7 @@ impl Bench<'_> {
         let path = deck.path.display().to_string();
         let case = Case { name: name.into(), title: deck.title.clone(), deck: path, ..Case::default() };
         let first = deck.first().map_err(|e| RunError::Deck(e.to_string()))?;
-        let mut trial = Trial { bench: self, deck, first, case };
+        let mut trial = Trial { bench: self, deck, first, plain: None, case };
         match trial.run() {
             Ok(()) => {}
             Err(Stopped(_, RunError::Interrupted)) => return Err(RunError::Interrupted),
@@ -57,9 +59,9 @@ impl Bench<'_> {
 impl Trial<'_> {
     fn run(&mut self) -> Result<(), Stopped> {
         let deck = self.deck;
-        let stock = self.attempt(None, None).map_err(|e| Stopped("stock run", e))?;
+        let stock = self.plainly().map_err(|e| Stopped("stock run", e))?;
         let recorded =
-            self.attempt(None, Some((Laws::Stock, true))).map_err(|e| Stopped("recorded run", e))?;
+            self.attempt(self.plain, Some((Laws::Stock, true))).map_err(|e| Stopped("recorded run", e))?;
         self.recorded(&stock, &recorded);
         for asked in &deck.checks {
             match &asked.what {
@@ -71,9 +73,22 @@ impl Trial<'_> {
                     self.case.curves.extend(curve);
                 }
                 What::Final(wanted) => self.last(&stock, wanted, asked),
+                What::SameAs { deck } => self.same_as(deck, &stock, asked)?,
             }
         }
         Ok(())
+    }
+
+    /// The run that the others are held against: LIGGGHTS alone, or with the plugin where the deck has laws that only
+    /// granlaw has.
+    fn plainly(&mut self) -> Result<Attempt, RunError> {
+        match self.attempt(None, None) {
+            Err(e) if e.lacks_model() => {
+                self.plain = Some(Laws::Own);
+                self.attempt(self.plain, Some((Laws::Own, false)))
+            }
+            run => run,
+        }
     }
 
     /// One run from the beginning: the deck before this one, if there is one, then this one. `first` and `mode` say
@@ -114,42 +129,68 @@ impl Trial<'_> {
             _ if stock.ran.dumps.is_empty() => {
                 checks::skipped(name, Shows::Boundary, "the deck writes no text dump to compare")
             }
-            _ => answers::dumps(name, RECORDED, recorded, stock),
+            _ => answers::dumps(name, Shows::Boundary, RECORDED, recorded, stock),
         };
         self.case.checks.push(check);
     }
 
     fn replay(&mut self, traces: &[PathBuf], limit: Limit<'_>) {
-        let (check, curves) = answers::replay(traces, limit);
+        // Laws that LIGGGHTS lacks were recorded as the plugin ran them.
+        let shows = if self.plain.is_none() { Shows::Port } else { Shows::Boundary };
+        let (check, curves) = answers::replay(traces, shows, limit);
         self.case.checks.push(check);
         self.case.curves.splice(0..0, curves);
     }
 
     /// The run on the Rust laws. Where the deck continues another, either may run on either's laws.
     fn plugin(&mut self, stock: &Attempt, recorded: &Attempt, asked: &Asked) -> Result<(), Stopped> {
-        let rust = Some((Laws::Rust, false));
+        let (rust, plain) = (Some((Laws::Rust, false)), self.plain.map(|laws| (laws, false)));
         let runs: &[_] = match self.first {
             None => &[("plugin", None, rust)],
             Some(_) => &[
-                ("plugin, stock then Rust", None, rust),
-                ("plugin, Rust then stock", Some(Laws::Rust), None),
+                ("plugin, stock then Rust", self.plain, rust),
+                ("plugin, Rust then stock", Some(Laws::Rust), plain),
                 ("plugin, Rust then Rust", Some(Laws::Rust), rust),
             ],
         };
-        let traced = self.attempt(None, Some((Laws::Rust, true))).map_err(|e| Stopped("plugin", e))?;
+        let traced = self.attempt(self.plain, Some((Laws::Rust, true))).map_err(|e| Stopped("plugin", e))?;
         let (difference, curves) = answers::traces(&traced.ran.traces, &recorded.ran.traces);
         let stocked = self.case.curves.iter().any(|c| c.answer == "stock");
         self.case.curves.extend(curves.into_iter().filter(|c: &Curve| !stocked || c.answer != "stock"));
         if stock.ran.dumps.is_empty() {
             let reason =
                 format!("{} (the deck writes no dump: every recorded call is compared)", asked.reason);
-            self.case.checks.push(checks::identical("plugin", &reason, difference));
+            self.case.checks.push(checks::identical("plugin", Shows::Boundary, &reason, difference));
             return Ok(());
         }
         for (name, first, mode) in runs {
             let ran = self.attempt(*first, *mode).map_err(|e| Stopped("plugin", e))?;
-            self.case.checks.push(answers::dumps(name, &asked.reason, &ran, stock));
+            self.case.checks.push(answers::dumps(name, Shows::Boundary, &asked.reason, &ran, stock));
         }
+        Ok(())
+    }
+
+    /// Another deck, run plainly, must have dumped the same.
+    fn same_as(&mut self, other: &str, stock: &Attempt, asked: &Asked) -> Result<(), Stopped> {
+        let name = format!("same as {other}");
+        let failed = |e| Stopped("run to compare with", e);
+        let deck = Deck::read(&self.deck.folder().join(other));
+        let deck = deck.map_err(|e| failed(RunError::Deck(e.to_string())))?;
+        let mut there =
+            Trial { bench: self.bench, deck: &deck, first: None, plain: None, case: Case::default() };
+        let ran = there.plainly().map_err(failed)?;
+        // Where LIGGGHTS alone lacks laws of the other deck too, two of our own are compared.
+        let shows = if there.plain.is_none() { Shows::Port } else { Shows::Boundary };
+        let check = if ran.ran.dumps.is_empty() {
+            checks::could_not(
+                &name,
+                shows,
+                format!("{other} writes no text dump to compare; add a dump custom"),
+            )
+        } else {
+            answers::dumps(&name, shows, &asked.reason, stock, &ran)
+        };
+        self.case.checks.push(check);
         Ok(())
     }
 

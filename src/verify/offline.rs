@@ -87,7 +87,7 @@ fn usual() -> Vec<Asked> {
 fn check(trace: &[PathBuf], asked: &Asked, case: &mut Case) {
     match &asked.what {
         What::Replay { limit } => {
-            let (check, curves) = answers::replay(trace, Limit::new(*limit, asked));
+            let (check, curves) = answers::replay(trace, Shows::Port, Limit::new(*limit, asked));
             case.checks.push(check);
             case.curves.splice(0..0, curves);
         }
@@ -95,6 +95,9 @@ fn check(trace: &[PathBuf], asked: &Asked, case: &mut Case) {
             let (check, curve) = two_body::check(trace, Limit::new(*limit, asked));
             case.checks.push(check);
             case.curves.extend(curve);
+        }
+        What::SameAs { deck } => {
+            case.checks.push(checks::skipped(&format!("same as {deck}"), Shows::Port, LEFT_OUT))
         }
         What::Plugin => case.checks.push(checks::skipped("plugin", Shows::Boundary, LEFT_OUT)),
         What::Final(f) => {
