@@ -191,17 +191,9 @@ pub fn non_finite(chain: &Chain, x: &Contact) -> Failure {
 /// What the chain begins with: the torques that LIGGGHTS's laws before it have given to this contact.
 #[inline]
 pub fn stage(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Stage {
-    let torque_i = Vector3::from(fi.delta_torque) / share(s);
+    let torque_i = Vector3::from(fi.delta_torque);
+    let torque_i = if s.is_wall { torque_i / s.area_ratio } else { torque_i };
     Stage { torque_i, torque_j: fj.delta_torque.into(), ..Stage::default() }
-}
-
-/// How much of a wall contact counts.
-fn share(s: &granlaw_surfaces_close_data) -> f64 {
-    if s.is_wall {
-        s.area_ratio
-    } else {
-        1.0
-    }
 }
 
 /// Add the force, the opposite one to j and none to a wall; the torques hold what was there before.
@@ -212,7 +204,7 @@ pub fn hand_out(
     fi: &mut granlaw_force_data,
     fj: &mut granlaw_force_data,
 ) {
-    let share = share(s);
+    let share = if s.is_wall { s.area_ratio } else { 1.0 };
     for k in 0..3 {
         fi.delta_F[k] += stage.force[k] * share;
         fi.delta_torque[k] = stage.torque_i[k] * share;
