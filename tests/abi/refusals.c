@@ -104,7 +104,7 @@ static void contacts(void) {
   EXPECT_REFUSED(granlaw_surfaces_intersect(chain, NULL, &i, &j), GRANLAW_MISUSE, "a pointer is NULL");
   EXPECT_REFUSED(granlaw_surfaces_intersect(chain, &good, NULL, &j), GRANLAW_MISUSE, "a pointer is NULL");
   EXPECT_REFUSED(granlaw_surfaces_intersect(chain, &good, &i, NULL), GRANLAW_MISUSE, "a pointer is NULL");
-  EXPECT_REFUSED(granlaw_surfaces_close(chain, NULL, 1, &i, &j), GRANLAW_MISUSE, "a pointer is NULL");
+  EXPECT_REFUSED(granlaw_surfaces_close(chain, NULL, 1, 1, &i, &j), GRANLAW_MISUSE, "a pointer is NULL");
   EXPECT_REFUSED(granlaw_begin_pass(chain, NULL), GRANLAW_MISUSE, "chain or pass is NULL");
   EXPECT_REFUSED(granlaw_end_pass(NULL), GRANLAW_MISUSE, "chain is NULL");
   EXPECT(flags == 5 && history[0] == 1 && history[1] == 2 && history[2] == 3);
