@@ -1,4 +1,7 @@
 //! Recorded calls of LIGGGHTS's own laws through the Rust laws, without LIGGGHTS; and faults planted in them.
+#[path = "reference/cdt_jkr.rs"]
+mod cdt_jkr;
+
 use granlaw::replay::{replay, replay_from, Replay, ReplayError};
 use granlaw::trace::{Header, Reader, Row, Writer};
 use std::collections::BTreeSet;
