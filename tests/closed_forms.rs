@@ -13,5 +13,7 @@ mod oblique;
 mod orders;
 #[path = "closed_forms/rolling.rs"]
 mod rolling;
+#[path = "closed_forms/rolling_jkr.rs"]
+mod rolling_jkr;
 #[path = "closed_forms/values.rs"]
 mod values;
