@@ -15,5 +15,7 @@ mod orders;
 mod rolling;
 #[path = "closed_forms/rolling_jkr.rs"]
 mod rolling_jkr;
+#[path = "closed_forms/timing.rs"]
+mod timing;
 #[path = "closed_forms/values.rs"]
 mod values;

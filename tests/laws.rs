@@ -121,9 +121,11 @@ fn declared_exceptions_occur() {
 /// Where an exception hangs on a setting or a partner law, the rule holds without it.
 #[test]
 fn exceptions_are_no_wider_than_they_say() {
-    let rules: [(&[&str], Switches, Check); 9] = [
+    let rules: [(&[&str], Switches, Check); 11] = [
         (&["hooke"], Switches::With("viscous", "off"), rules::odd_damping),
         (&["hooke/hysteresis"], Switches::With("viscous", "off"), rules::odd_damping),
+        (&["hooke", "history", "cdt"], Switches::With("viscous", "off"), paths::cycle),
+        (&["hooke/hysteresis", "history", "cdt"], Switches::With("viscous", "off"), paths::cycle),
         (&["hertz"], Switches::Any, paths::cycle),
         (&["hertz", "no_history", "cdt"], Switches::Any, paths::cycle),
         (&["hooke", "history"], Switches::With("tangential_damping", "off"), paths::continuous),

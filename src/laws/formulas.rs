@@ -76,6 +76,14 @@ pub fn without_normal<L: Lane>(v: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
     v - en * dot(&v, en)
 }
 
+/// `limitForce`: a normal force \[N\] as it is now and as it acts over the step, neither attracting.
+#[inline(always)]
+pub fn not_below_zero<L: Lane>(now: L, acts: L) -> (L, L) {
+    let zero = L::splat(0.0);
+    let attracts = zero.gt(now);
+    (L::select(attracts, zero, now), L::select(attracts | zero.gt(acts), zero, acts))
+}
+
 /// What `viscous on` needs to turn a normal velocity into ln e.
 #[derive(Clone, Copy, Debug)]
 pub struct Viscous {

@@ -10,10 +10,13 @@
 //! - (E3) `β = ln e/√(ln²e + π²)`, `γn = −2 √(5/6) β √(Sn m*)`, `γt = −2 √(5/6) β √(St m*)` or 0
 //! - (E4) `Fn = kn δ − γn v_n`; `limitForce on`: `max(Fn, 0)`
 //!
+//! `centredDamping`, `touchFraction`: see [`super::timing`].
+//!
 //! Limits: small overlaps of smooth elastic spheres. kt follows the overlap, so a shear history that is loaded at a
 //! small overlap and unloaded at a large one returns more work than it took.
-use super::formulas::{effective_shear, effective_young};
+use super::formulas::{effective_shear, effective_young, not_below_zero};
 use super::prop;
+use super::timing::{Onset, Timing};
 use crate::lane::Lane;
 use crate::law::*;
 use std::f64::consts::PI;
@@ -29,6 +32,7 @@ pub struct Coeffs {
     beta: f64,
     tangential_damping: bool,
     limit_force: bool,
+    timing: Timing,
     nktv2p: f64,
 }
 
@@ -43,6 +47,7 @@ pub struct Fit<L = f64> {
     nktv2p: L,
     tangential_damping: bool,
     limit_force: bool,
+    timing: Timing,
 }
 
 const SQRT_5_6: f64 = 0.912_870_929_175_276_9;
@@ -58,6 +63,8 @@ impl Law for Hertz {
         settings: &[
             prop::TANGENTIAL_DAMPING,
             prop::LIMIT_FORCE,
+            prop::CENTRED_DAMPING,
+            prop::TOUCH_FRACTION,
             prop::refused("heating_normal_hertz", "contacts do not produce heat"),
             prop::HEATING_TRACKING,
             prop::ELASTIC_POTENTIAL,
@@ -90,6 +97,7 @@ impl Law for Hertz {
             beta: log_e / (log_e * log_e + PI * PI).sqrt(),
             tangential_damping: p.on("tangential_damping"),
             limit_force: p.on("limitForce"),
+            timing: Timing::new(p),
             nktv2p: p.nktv2p(),
         })
     }
@@ -104,6 +112,7 @@ impl Law for Hertz {
             nktv2p: c.nktv2p,
             tangential_damping: c.tangential_damping,
             limit_force: c.limit_force,
+            timing: c.timing,
         }
     }
 
@@ -147,24 +156,29 @@ impl LaneLaw for Hertz {
             nktv2p: L::from_fn(|k| f[k].nktv2p),
             tangential_damping: f[0].tangential_damping,
             limit_force: f[0].limit_force,
+            timing: f[0].timing,
         }
     }
 
     #[inline]
-    fn touch_lanes<L: Lane>(f: &Fit<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let root = (f.reff * x.deltan).sqrt();
         let (sn, st) = (L::splat(2.0) * f.yeff * root, L::splat(8.0) * f.geff * root); // (E1)
         let (kn, kt) = (L::splat(4.0 / 3.0) * f.yeff * root / f.nktv2p, st / f.nktv2p); // (E2)
         let damper = L::splat(-2.0 * SQRT_5_6) * f.beta; // (E3)
         let gamman = damper * (sn * f.meff).sqrt();
         let gammat = if f.tangential_damping { damper * (st * f.meff).sqrt() } else { L::splat(0.0) };
-        let mut fn_ = -gamman * x.vn + kn * x.deltan; // (E4)
+        let spring = kn * x.deltan;
+        let mut fn_ = -gamman * x.vn + spring; // (E4)
+        let mut acts = fn_;
+        if f.timing.acts(call) {
+            (fn_, acts) = f.timing.normal(call, x, f.meff, spring, gamman, Onset::FourthRoot);
+        }
         if f.limit_force {
-            let zero = L::splat(0.0);
-            fn_ = L::select(zero.gt(fn_), zero, fn_);
+            (fn_, acts) = not_below_zero(fn_, acts);
         }
         (s.fn_, s.kn, s.kt, s.gamman, s.gammat) = (fn_, kn, kt, gamman, gammat);
-        s.force += x.en * fn_;
+        s.force += x.en * acts;
         s.mark = Mark::Set;
     }
 }

@@ -10,21 +10,39 @@
 //! - (E2) stick, `kt |ξ| ≤ μ |Fn|`: `Ft = −kt ξ − γt v_t`
 //! - (E3) slip: `Ft = −μ |Fn| ξ/|ξ|`, and `ξ ← −Ft/kt`
 //!
+//! `centredDamping`, `touchFraction`: see [`super::timing`]. With the latter the shear begins with the surfaces, and the
+//! dashpot acts for the part of a step in which the contact sticks: with `g = (kt|ξ| − μ|Fn|)/(rate dt)` steps since
+//! slip began, or −g until it will,
+//! - (E4) slip: dashpot × `max(0, a − g)`; stick: dashpot × `w − max(0, b + g)`, w from (T3); a and b are 1/2, near
+//!   first touch what (T3) leaves over
+//! - (E5) where Fn changes its sign within a step the Coulomb limit was zero, so ξ counts from there
+//!
 //! Limits: (E2) adds the dashpot after the Coulomb test, so the force jumps by γt v_t where sticking turns into
 //! slipping and may exceed μ|Fn| below it; the projection loses length when the normal turns. Both as LIGGGHTS.
+//! When slip turns into stick shows in second derivatives only, so there (E4) has no counterpart.
 use super::no_history::push;
 use super::prop;
-use crate::lane::{dot, norm, select3, Lane};
+use super::timing::{at_once, growing, turning, Ends, Timing};
+use crate::lane::{dot, norm, select3, zero, Lane};
 use crate::law::*;
 use nalgebra::Vector3;
 
 /// The law.
 pub struct History;
 
-/// The coefficient of friction of a type pair.
+/// What a pair of types decides.
 #[derive(Clone, Copy, Debug)]
-pub struct Coeffs<L = f64> {
+pub struct Coeffs {
+    mu: f64,
+    timing: Timing,
+}
+
+/// What two sizes decide.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit<L = f64> {
     mu: L,
+    meff: L,
+    timing: Timing,
 }
 
 impl Law for History {
@@ -36,6 +54,8 @@ impl Law for History {
         summary: "shear spring and dashpot with Coulomb limit",
         props: &[prop::FRICTION],
         settings: &[
+            prop::CENTRED_DAMPING,
+            prop::TOUCH_FRACTION,
             prop::refused("heating_tangential_history", "contacts do not produce heat"),
             prop::HEATING_TRACKING,
             prop::ELASTIC_POTENTIAL,
@@ -61,45 +81,48 @@ impl Law for History {
     };
     type History = [f64; 3];
     type Coeffs = Coeffs;
-    type Fit = Coeffs;
+    type Fit = Fit;
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Ok(Coeffs { mu: p.get("coefficientFriction") })
+        Ok(Coeffs { mu: p.get("coefficientFriction"), timing: Timing::new(p) })
     }
 
-    fn fit(c: &Coeffs, _: &Size) -> Coeffs {
-        *c
+    fn fit(c: &Coeffs, size: &Size) -> Fit {
+        Fit { mu: c.mu, meff: size.meff, timing: c.timing }
     }
 
-    fn touch(f: &Coeffs, x: &Contact, h: &mut [f64; 3], s: &mut Stage) {
+    fn touch(f: &Fit, x: &Contact, h: &mut [f64; 3], s: &mut Stage) {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Coeffs, _: &Gap, h: &mut [f64; 3], s: &mut Stage) {
+    fn apart(_: &Fit, _: &Gap, h: &mut [f64; 3], s: &mut Stage) {
         *h = [0.0; 3];
         s.mark = Mark::Clear;
     }
 
-    fn observe(_: &Coeffs, x: &Contact, h: &[f64; 3]) -> Terms {
+    fn observe(_: &Fit, x: &Contact, h: &[f64; 3]) -> Terms {
         let moved = norm(&Vector3::from(*h)) > 0.0 || norm(&x.surface.vtr) > 0.0;
         Terms { branch: if moved { "sheared" } else { "virgin" }, ..Terms::default() }
     }
 }
 
 impl LaneLaw for History {
-    type FitOf<L: Lane> = Coeffs<L>;
+    type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 3];
 
-    fn fit_at(f: &Coeffs, _: f64) -> Coeffs {
+    fn fit_at(f: &Fit, _: f64) -> Fit {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Coeffs]) -> Coeffs<L> {
-        Coeffs { mu: L::from_fn(|k| f[k].mu) }
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit { mu: L::from_fn(|k| f[k].mu), meff: L::from_fn(|k| f[k].meff), timing: f[0].timing }
     }
 
     #[inline]
-    fn touch_lanes<L: Lane>(f: &Coeffs<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+        if f.timing.acts(call) {
+            return timed(f, call, x, h, s);
+        }
         let mut shear = Vector3::from(*h);
         if call.update {
             shear += x.vtr * L::splat(call.dt); // (E1)
@@ -120,4 +143,72 @@ impl LaneLaw for History {
         }
         push(x, s, force);
     }
+}
+
+/// (E1) to (E3) with what [`Timing`] does to them.
+#[inline(always)]
+fn timed<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+    let (none, one, dt) = (L::splat(0.0), L::splat(1.0), L::splat(call.dt));
+    let ends = f.timing.ends(call, x, s.fn_, f.meff);
+    let rise = (-s.kn * x.vn - s.gamman * s.fn_ / f.meff) * dt;
+    let (turned, begun) = begun(f, s.fn_ / rise, ends.since);
+    let mut shear = select3(turned, zero(), Vector3::from(*h)) + x.vtr * (dt * begun); // (E1), (E5)
+    shear -= x.en * dot(&shear, &x.en);
+    let length = norm(&shear);
+    let way = select3(length.gt(none), shear.map(|e| e / length), zero());
+    let (spring, coulomb) = (s.kt * length, f.mu * s.fn_.abs());
+    let slips = spring.gt(coulomb);
+    *h = select3(slips, way * (coulomb / s.kt), shear).into();
+    let (mut stuck, mut slid) = (one, none);
+    if f.timing.fraction() {
+        let limit = f.mu * L::select(none.gt(s.fn_), -rise, rise);
+        let faster = s.kt * dot(&x.vtr, &way) * dt;
+        (stuck, slid) = shares(ends.since, spring, coulomb, faster, limit);
+        slid = L::select(turned, none, slid);
+    }
+    let factor = f.timing.centring(call, s.gammat, turning(call, x, f.meff));
+    let (elastic, dashpot) = (way * -(spring * factor), x.vtr * -(s.gammat * factor));
+    let end = at_once(ends.left);
+    let stick = (elastic * growing(ends.since) + dashpot * stuck) * end; // (E2), (E4)
+    let slip = way * -pressed(f, call, x, s, &ends) + dashpot * (slid * end); // (E3), (E4)
+    push(x, s, select3(slips, slip, stick));
+}
+
+/// (E5): whether the normal force, zero so many steps ago, changed its sign in this one, and the part of the step that
+/// shears.
+#[inline(always)]
+fn begun<L: Lane>(f: &Fit<L>, zero_since: L, since: L) -> (L::Mask, L) {
+    let (none, one) = (L::splat(0.0), L::splat(1.0));
+    if !f.timing.fraction() {
+        return (none.gt(one), one);
+    }
+    let turned = zero_since.gt(none) & one.gt(zero_since) & since.gt(one);
+    (turned, L::select(turned, zero_since, L::select(one.gt(since), since, one)))
+}
+
+/// The Coulomb force as it acts over the step \[N\], weighted as the parts of the normal force are.
+#[inline(always)]
+fn pressed<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, s: &Stage<L>, ends: &Ends<L>) -> L {
+    let dashpot = -s.gamman * x.vn * f.timing.centring(call, s.gamman, f.meff);
+    let acts = (s.fn_ - dashpot) * ends.growing() + dashpot * ends.at_once();
+    // A normal force that was cut off has no friction.
+    f.mu * L::select(s.fn_.abs().gt(L::splat(0.0)), acts.abs(), L::splat(0.0))
+}
+
+/// (E4): what part of the dashpot acts where the contact sticks, and where it slips. `faster` and `limit` are what
+/// spring and Coulomb force grow by in the step \[N\].
+#[inline(always)]
+fn shares<L: Lane>(since: L, spring: L, coulomb: L, faster: L, limit: L) -> (L, L) {
+    let (none, half, one, two) = (L::splat(0.0), L::splat(0.5), L::splat(1.0), L::splat(2.0));
+    let least = |a: L, b: L| L::select(b.gt(a), a, b);
+    let not_negative = |a: L| L::select(a.gt(none), a, none);
+    let rate = faster - limit;
+    let g = (spring - coulomb) / rate;
+    let a = L::select(one.gt(since), since, L::select(two.gt(since), L::splat(1.5) - half * since, half));
+    let b = half * least(since, one);
+    // A limit that falls to zero comes back as soon as the normal force has changed its sign.
+    let brief = L::select(none.gt(limit), -two * spring / limit, L::splat(f64::INFINITY));
+    let will = rate.gt(none);
+    let gone = L::select(will, least(not_negative(b + g), brief), none);
+    (at_once(since) - gone, L::select(will, not_negative(a - g), none))
 }

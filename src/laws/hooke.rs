@@ -12,12 +12,15 @@
 //! - (E2) `γn = sqrt(4 m* kn ln²e/(ln²e + π²))`; `γt = γn`, or 0 with `tangential_damping off`
 //! - (E3) `Fn = kn δ − γn v_n`; `limitForce on`: `max(Fn, 0)`
 //!
+//! `centredDamping`, `touchFraction`: see [`super::timing`].
+//!
 //! Limits: the dashpot makes the force jump to `γn |v_n|` at first touch and attract at the end of the rebound.
 //!
 //! Departure: with `viscous on` LIGGGHTS divides infinity by infinity at v_n = 0 and gets NaN; here the limit
 //! `γn = sqrt(4 m* kn)` holds.
-use super::formulas::{effective_young, hooke_stiffness, Damper, Viscous};
+use super::formulas::{effective_young, hooke_stiffness, not_below_zero, Damper, Viscous};
 use super::prop;
+use super::timing::{Onset, Timing};
 use crate::lane::Lane;
 use crate::law::*;
 use std::f64::consts::PI;
@@ -35,6 +38,7 @@ pub struct Coeffs {
     kt_over_kn: f64,
     tangential_damping: bool,
     limit_force: bool,
+    timing: Timing,
     nktv2p: f64,
 }
 
@@ -47,7 +51,9 @@ pub struct Fit<L = f64> {
     /// γn and γt \[N s/m\].
     gamman: L,
     gammat: L,
+    meff: L,
     limit_force: bool,
+    timing: Timing,
 }
 
 /// A fit whose dashpot still waits for the velocity.
@@ -87,6 +93,8 @@ impl Law for Hooke {
             prop::VISCOUS_ABS,
             prop::TANGENTIAL_DAMPING,
             prop::LIMIT_FORCE,
+            prop::CENTRED_DAMPING,
+            prop::TOUCH_FRACTION,
             Setting::off("ktToKnUser", Support::Full, "tangential stiffness 2/7 of the normal one"),
             prop::refused("heating_normal_hooke", "contacts do not produce heat"),
             prop::HEATING_TRACKING,
@@ -99,10 +107,16 @@ impl Law for Hooke {
         reach: Reach::Overlap,
         coarse_graining: false,
         references: &["P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47"],
-        exceptions: &[Exception {
-            rule: Rule::DampingOdd,
-            why: "with viscous on, LIGGGHTS's signed Stokes number damps approach and rebound differently",
-        }],
+        exceptions: &[
+            Exception {
+                rule: Rule::DampingOdd,
+                why: "with viscous on, LIGGGHTS's signed Stokes number damps approach and rebound differently",
+            },
+            Exception {
+                rule: Rule::CycleDissipates,
+                why: "with viscous and centredDamping on, a prescribed motion is damped more one way than the other, and a share of the spring force goes with the damping",
+            },
+        ],
     };
     type History = [f64; 0];
     type Coeffs = Coeffs;
@@ -119,6 +133,7 @@ impl Law for Hooke {
             kt_over_kn: if p.on("ktToKnUser") { 0.285714286 } else { 1.0 },
             tangential_damping: p.on("tangential_damping"),
             limit_force: p.on("limitForce"),
+            timing: Timing::new(p),
             nktv2p: p.nktv2p(),
         })
     }
@@ -127,7 +142,9 @@ impl Law for Hooke {
         let kn = hooke_stiffness(c.yeff, size.reff(), size.meff, c.vc); // (E1)
         let damper = Damper::new(damping, size, kn, c.log_e, c.viscous, c.tangential_damping);
         let (k, kt) = (kn / c.nktv2p, kn * c.kt_over_kn / c.nktv2p);
-        Fitted { fit: Fit { kn: k, kt, gamman: 0.0, gammat: 0.0, limit_force: c.limit_force }, damper }
+        let Coeffs { limit_force, timing, .. } = *c;
+        let fit = Fit { kn: k, kt, gamman: 0.0, gammat: 0.0, meff: size.meff, limit_force, timing };
+        Fitted { fit, damper }
     }
 
     fn touch(f: &Fitted, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
@@ -165,19 +182,25 @@ impl LaneLaw for Hooke {
             kt: L::from_fn(|k| f[k].kt),
             gamman: L::from_fn(|k| f[k].gamman),
             gammat: L::from_fn(|k| f[k].gammat),
+            meff: L::from_fn(|k| f[k].meff),
             limit_force: f[0].limit_force,
+            timing: f[0].timing,
         }
     }
 
     #[inline]
-    fn touch_lanes<L: Lane>(f: &Fit<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
-        let mut fn_ = -f.gamman * x.vn + f.kn * x.deltan; // (E3)
+    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+        let spring = f.kn * x.deltan;
+        let mut fn_ = -f.gamman * x.vn + spring; // (E3)
+        let mut acts = fn_;
+        if f.timing.acts(call) {
+            (fn_, acts) = f.timing.normal(call, x, f.meff, spring, f.gamman, Onset::AtOnce);
+        }
         if f.limit_force {
-            let zero = L::splat(0.0);
-            fn_ = L::select(zero.gt(fn_), zero, fn_);
+            (fn_, acts) = not_below_zero(fn_, acts);
         }
         (s.fn_, s.kn, s.kt, s.gamman, s.gammat) = (fn_, f.kn, f.kt, f.gamman, f.gammat);
-        s.force += x.en * fn_;
+        s.force += x.en * acts;
         s.mark = Mark::Set;
     }
 }

@@ -19,6 +19,8 @@
 //! - (8) `γn = sqrt(4 m* kn/(1 + (π/ln e)²))`, `γt = γn` or 0; (9) `Fdamp = −γn v_n`
 //! - (10) `Fn = Fhys + Fdamp`; `limitForce on`: `max(Fn, 0)`
 //!
+//! `centredDamping`, `touchFraction`: see [`super::timing`].
+//!
 //! Departures from the sheet, all as LIGGGHTS's header has it:
 //! - (7′) for δmax ≥ δlim the line refers to δlim, `F2 = k2max (δ − δlim) + kn δlim`, and the cap kn δ no longer holds;
 //!   (7) taken literally gives 1/2.29 of the force at k2max/kn = 5, δ = 1.6 δlim.
@@ -28,8 +30,9 @@
 //! Departures from LIGGGHTS: `coefficientMaxElasticStiffness = 1` is a linear spring (δlim infinite), where LIGGGHTS
 //! divides 0 by 0 in (6′) and, for φF = 0, in (2). `limitForce` works under our own name; LIGGGHTS reads and ignores
 //! it, and so does this law where it has taken over the stock name.
-use super::formulas::{effective_young, hooke_stiffness, Damper, Viscous};
+use super::formulas::{effective_young, hooke_stiffness, not_below_zero, Damper, Viscous};
 use super::prop;
+use super::timing::{Onset, Timing};
 use crate::lane::Lane;
 use crate::law::*;
 use std::f64::consts::PI;
@@ -49,6 +52,7 @@ pub struct Coeffs {
     phi_f: f64,
     tangential_damping: bool,
     limit_force: bool,
+    timing: Timing,
     nktv2p: f64,
 }
 
@@ -62,7 +66,9 @@ pub struct Fit<L = f64> {
     delta_lim: L,
     gamman: L,
     gammat: L,
+    meff: L,
     limit_force: bool,
+    timing: Timing,
 }
 
 /// A fit whose dashpot still waits for the velocity.
@@ -134,6 +140,8 @@ impl Law for HookeHysteresis {
             prop::VISCOUS_ABS,
             prop::TANGENTIAL_DAMPING,
             Setting { support: Support::StockIgnores, ..prop::LIMIT_FORCE },
+            prop::CENTRED_DAMPING,
+            prop::TOUCH_FRACTION,
             prop::refused("ktToKnUser", "LIGGGHTS reads it and ignores it for this law"),
             prop::refused("heating_normal_hooke", "contacts do not produce heat"),
             prop::HEATING_TRACKING,
@@ -167,6 +175,7 @@ impl Law for HookeHysteresis {
             phi_f: p.get("coefficientPlasticityDepth"),
             tangential_damping: p.on("tangential_damping"),
             limit_force: p.on("limitForce"),
+            timing: Timing::new(p),
             nktv2p: p.nktv2p(),
         })
     }
@@ -179,7 +188,9 @@ impl Law for HookeHysteresis {
         let k2max = kn * c.k2max_over_kn; // (3)
         let delta_lim = if k2max > kn { k2max / (k2max - kn) * c.phi_f * 2.0 * reff } else { f64::INFINITY }; // (2)
         let kc = kn * c.kc_over_kn; // (5)
-        let fit = Fit { kn, k2max, kc, delta_lim, gamman: 0.0, gammat: 0.0, limit_force: c.limit_force };
+        let Coeffs { limit_force, timing, .. } = *c;
+        let (gamman, gammat, meff) = (0.0, 0.0, size.meff);
+        let fit = Fit { kn, k2max, kc, delta_lim, gamman, gammat, meff, limit_force, timing };
         Fitted { fit, damper }
     }
 
@@ -258,7 +269,9 @@ impl LaneLaw for HookeHysteresis {
             delta_lim: L::from_fn(|k| f[k].delta_lim),
             gamman: L::from_fn(|k| f[k].gamman),
             gammat: L::from_fn(|k| f[k].gammat),
+            meff: L::from_fn(|k| f[k].meff),
             limit_force: f[0].limit_force,
+            timing: f[0].timing,
         }
     }
 
@@ -284,12 +297,15 @@ impl LaneLaw for HookeHysteresis {
             // (6′)
         }
         let mut fn_ = elastic + -f.gamman * x.vn; // (9), (10)
+        let mut acts = fn_;
+        if f.timing.acts(call) {
+            (fn_, acts) = f.timing.normal(call, x, f.meff, elastic, f.gamman, Onset::AtOnce);
+        }
         if f.limit_force {
-            let zero = L::splat(0.0);
-            fn_ = L::select(zero.gt(fn_), zero, fn_);
+            (fn_, acts) = not_below_zero(fn_, acts);
         }
         (s.fn_, s.kn, s.kt, s.gamman, s.gammat) = (fn_, f.kn, f.kn, f.gamman, f.gammat);
-        s.force += x.en * fn_;
+        s.force += x.en * acts;
         s.mark = Mark::Set;
     }
 }

@@ -11,6 +11,7 @@ pub mod hooke_hysteresis;
 pub mod no_history;
 pub mod prop;
 pub mod table;
+pub mod timing;
 
 /// All laws, one line each. A law that is not here does not exist.
 pub static LAWS: &[Entry] = &[

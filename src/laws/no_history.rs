@@ -3,18 +3,29 @@
 //! - (E1) `Ft = −γ v_t`, `γ = min(γt, μ|Fn|/|v_t|)`
 //!
 //! `v_t` \[m/s\] is the tangential relative velocity at the contact, γt \[N s/m\] and Fn \[N\] come from the normal law.
+//! `centredDamping`, `touchFraction`: see [`super::timing`].
 //! Limits: no static friction; a contact at rest creeps.
 use super::prop;
+use super::timing::{turning, Timing};
 use crate::lane::{norm, Lane};
 use crate::law::*;
 
 /// The law.
 pub struct NoHistory;
 
-/// The coefficient of friction of a type pair.
+/// What a pair of types decides.
 #[derive(Clone, Copy, Debug)]
-pub struct Coeffs<L = f64> {
+pub struct Coeffs {
+    mu: f64,
+    timing: Timing,
+}
+
+/// What two sizes decide.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit<L = f64> {
     mu: L,
+    meff: L,
+    timing: Timing,
 }
 
 impl Law for NoHistory {
@@ -26,6 +37,8 @@ impl Law for NoHistory {
         summary: "viscous friction with Coulomb limit, no memory",
         props: &[prop::FRICTION],
         settings: &[
+            prop::CENTRED_DAMPING,
+            prop::TOUCH_FRACTION,
             prop::refused("disableTangentialWhenBonded", "the friction law does not look at bonds"),
             prop::DISSIPATED_ENERGY,
         ],
@@ -38,25 +51,25 @@ impl Law for NoHistory {
     };
     type History = [f64; 0];
     type Coeffs = Coeffs;
-    type Fit = Coeffs;
+    type Fit = Fit;
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Ok(Coeffs { mu: p.get("coefficientFriction") })
+        Ok(Coeffs { mu: p.get("coefficientFriction"), timing: Timing::new(p) })
     }
 
-    fn fit(c: &Coeffs, _: &Size) -> Coeffs {
-        *c
+    fn fit(c: &Coeffs, size: &Size) -> Fit {
+        Fit { mu: c.mu, meff: size.meff, timing: c.timing }
     }
 
-    fn touch(f: &Coeffs, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
+    fn touch(f: &Fit, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Coeffs, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
         s.mark = Mark::Clear;
     }
 
-    fn observe(f: &Coeffs, x: &Contact, _: &[f64; 0]) -> Terms {
+    fn observe(f: &Fit, x: &Contact, _: &[f64; 0]) -> Terms {
         // Before the normal law has run, only the speed is known.
         let _ = f;
         Terms { branch: if norm(&x.surface.vtr) > 0.0 { "sliding" } else { "at rest" }, ..Terms::default() }
@@ -64,22 +77,30 @@ impl Law for NoHistory {
 }
 
 impl LaneLaw for NoHistory {
-    type FitOf<L: Lane> = Coeffs<L>;
+    type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 0];
 
-    fn fit_at(f: &Coeffs, _: f64) -> Coeffs {
+    fn fit_at(f: &Fit, _: f64) -> Fit {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Coeffs]) -> Coeffs<L> {
-        Coeffs { mu: L::from_fn(|k| f[k].mu) }
+    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+        Fit { mu: L::from_fn(|k| f[k].mu), meff: L::from_fn(|k| f[k].meff), timing: f[0].timing }
     }
 
     #[inline]
-    fn touch_lanes<L: Lane>(f: &Coeffs<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let speed = norm(&x.vtr);
         let coulomb = f.mu * s.fn_.abs();
-        let gamma = L::select((s.gammat * speed).gt(coulomb), coulomb / speed, s.gammat); // (E1)
+        let acts = f.timing.acts(call);
+        let mut gammat = s.gammat;
+        if acts {
+            gammat = gammat * f.timing.centring(call, gammat, turning(call, x, f.meff));
+        }
+        let mut gamma = L::select((gammat * speed).gt(coulomb), coulomb / speed, gammat); // (E1)
+        if acts {
+            gamma = gamma * f.timing.ends(call, x, s.fn_, f.meff).at_once();
+        }
         let force = x.vtr * -gamma;
         push(x, s, force);
     }

@@ -80,6 +80,19 @@ pub const VISCOUS_ABS: Setting = Setting::off(
     "with viscous on: use |St|, so that approach and rebound are damped alike (LIGGGHTS uses the signed v_n)",
 );
 
+/// See [`super::timing`].
+pub const CENTRED_DAMPING: Setting = Setting::off(
+    "centredDamping",
+    Support::OwnOnly,
+    "damp the velocity of the end of the step instead of its middle's; with touchFraction on, second order in the step",
+);
+/// See [`super::timing`].
+pub const TOUCH_FRACTION: Setting = Setting::off(
+    "touchFraction",
+    Support::OwnOnly,
+    "let the first and last steps of a contact count by the part of them that is in contact",
+);
+
 /// A switch of LIGGGHTS that is not done here.
 pub const fn refused(name: &'static str, why: &'static str) -> Setting {
     Setting::off(name, Support::Refused, why)

@@ -265,6 +265,7 @@ pub fn wall_limit(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     y.surface.roll = i.omega;
     y.gap.j = Body { tag: 2, radius: i.radius * large, mass: i.mass * large, ..y.gap.j };
     y.gap.meff = i.mass * (large / (1.0 + large));
+    y.surface.crj = y.gap.j.radius - 0.5 * y.surface.deltan;
     let (mut h, mut k) = (c.history.clone(), c.history.clone());
     let a = subject.touch(c.types, &c.contact, &mut h);
     let b = subject.touch(c.types, &y, &mut k);
