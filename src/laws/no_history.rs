@@ -99,7 +99,7 @@ impl LaneLaw for NoHistory {
         }
         let mut gamma = L::select((gammat * speed).gt(coulomb), coulomb / speed, gammat); // (E1)
         if acts {
-            gamma = gamma * f.timing.ends(call, x, s.fn_, f.meff).at_once();
+            gamma *= f.timing.ends(call, x, s.fn_, f.meff).at_once();
         }
         let force = x.vtr * -gamma;
         push(x, s, force);
