@@ -7,6 +7,7 @@ export LC_ALL=C
 here=$(cd "$(dirname "$0")" && pwd)
 plugin=${GRANLAW_PLUGIN:-$here/../target/release/libgranlaw_liggghts.so}
 pairs=15
+path=contact # one call per contact
 decks=()
 while [ $# -gt 0 ]; do
     case "$1" in
@@ -26,7 +27,7 @@ trap 'rm -rf "$scratch"' EXIT
 side() {
     mkdir -p "$scratch/$1" && cd "$scratch/$1"
     local env=()
-    [ "$1" = stock ] || env=(GRANLAW_LAWS=rust "LD_PRELOAD=$plugin")
+    [ "$1" = stock ] || env=(GRANLAW_LAWS=rust "GRANLAW_PATH=$path" "LD_PRELOAD=$plugin")
     env "${env[@]}" liggghts -in "$2" >out.txt 2>&1 || { tail -5 out.txt >&2; exit 2; }
     awk '/^Pair  time/ && $5 > pair {pair = $5} /^Loop time/ && $4 > loop {loop = $4} END {print pair, loop}' out.txt
 }

@@ -3,9 +3,33 @@
 #ifndef GRANLAW_ADAPTER_HPP
 #define GRANLAW_ADAPTER_HPP
 
-#include "host.hpp"
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_property_global.h"
+#include "force.h"
+#include "global_properties.h"
+#include "lammps.h"
+#include "modify.h"
+#include "pair_gran.h"
+#include "property_registry.h"
+#include "settings.h"
+#include "update.h"
+#include "mirror.hpp"
+
+// LIGGGHTS's macro would print a path of the machine that built us.
+#define GRANLAW_HERE "granlaw", __LINE__
 
 namespace granlaw {
+using namespace LIGGGHTS;
+using LAMMPS_NS::FixPropertyGlobal;
+using LAMMPS_NS::LAMMPS;
+using LAMMPS_NS::PairGran;
 
 // Masses as LIGGGHTS's pair loop takes them: of a rigid body, its own.
 inline double mass(LAMMPS *lmp, PairGran *pair, int i) {
@@ -20,6 +44,48 @@ inline granlaw_pass pass_of(LAMMPS *lmp, PairGran *pair) {
   return granlaw_pass{lmp->update->dt, static_cast<int64_t>(lmp->update->ntimestep), atom->x ? atom->x[0] : nullptr,
                       atom->tag, atom->mask, pair ? pair->freeze_group_bit() : 0};
 }
+
+// A setting whose options are words of its own.
+class Words : public Setting {
+ public:
+  // LIGGGHTS's Settings keeps its table to itself and offers on/off, yes/no and numbers only.
+  static void add(Settings &settings, const char *law, const granlaw_setting &s, int32_t &target) {
+    Setting *&there = table(settings)[s.name];
+    if (!there) there = new Words(law, s);
+    target = s.default_option;
+    if (Words *words = dynamic_cast<Words *>(there)) words->targets_.push_back(&target);
+  }
+  int parseArguments(char **args) {
+    if (name != args[0]) return 0;
+    std::string known;
+    for (size_t o = 0; o < s_.n_options; o++) {
+      if (!strcmp(s_.options[o], args[1])) {
+        for (int32_t *target : targets_) *target = static_cast<int32_t>(o);
+        return 2;
+      }
+      known += std::string(o ? ", " : "") + s_.options[o];
+    }
+    error_message = std::string(law_) + ": setting " + name + " " + args[1] + ": must be one of " + known;
+    return -1;
+  }
+  void print_value(FILE *out) { fprintf(out, "%s", *targets_[0] < 0 ? "?" : s_.options[*targets_[0]]); }
+
+ private:
+  Words(const char *law, const granlaw_setting &s) : Setting(s.name, 1), law_(law), s_(s) {}
+  static std::map<std::string, Setting *> &table(Settings &settings);
+
+  const char *law_;
+  const granlaw_setting &s_;
+  std::vector<int32_t *> targets_;
+};
+// A template argument may name a private member, so this hands out Settings' table.
+template <std::map<std::string, Setting *> Settings::*Table>
+struct Opener {
+  friend std::map<std::string, Setting *> &opened(Settings &settings) { return settings.*Table; }
+};
+template struct Opener<&Settings::settings>;
+std::map<std::string, Setting *> &opened(Settings &settings);
+inline std::map<std::string, Setting *> &Words::table(Settings &settings) { return opened(settings); }
 
 // One law with what the deck says of it.
 class Law {
@@ -41,29 +107,12 @@ class Law {
   const std::vector<std::vector<double> > &values() const { return values_; }
 
   void registerSettings(Settings &settings) {
-    for (size_t k = 0; k < d_.n_settings; k++)
-      if (offered(k) && is_switch(k)) settings.registerOnOff(d_.settings[k].name, on_[k], d_.settings[k].default_option == 1);
-  }
-
-  // Takes a setting whose options are words of its own; LIGGGHTS's Settings only knows on/off, yes/no and numbers.
-  // `option` is NULL where the deck ends after the name.
-  bool take(const char *setting, const char *option) {
     for (size_t k = 0; k < d_.n_settings; k++) {
       const granlaw_setting &s = d_.settings[k];
-      if (!offered(k) || is_switch(k) || strcmp(s.name, setting)) continue;
-      std::string known;
-      for (size_t o = 0; o < s.n_options; o++) {
-        if (option && !strcmp(s.options[o], option)) {
-          options_[k] = static_cast<int32_t>(o);
-          return true;
-        }
-        known += std::string(o ? ", " : "") + s.options[o];
-      }
-      const std::string text = std::string(name()) + ": setting " + s.name + " " + (option ? option : "(nothing)") +
-                               ": must be one of " + known;
-      lmp_->error->all(GRANLAW_HERE, text.c_str());
+      if (!offered(k)) continue;
+      if (is_switch(k)) settings.registerOnOff(s.name, on_[k], s.default_option == 1);
+      else Words::add(settings, name(), s, options_[k]);
     }
-    return false;
   }
 
   void postSettings() {

@@ -36,18 +36,6 @@ class Chain : public ContactModelBase {
     return hash;
   }
 
-  // Settings whose options are words of our own are taken out before LIGGGHTS reads the rest.
-  std::vector<char *> take_settings(int n, char **args) {
-    std::vector<char *> rest;
-    for (int k = 0; k < n; k += 2) {
-      bool mine = false;
-      for (Law *law : laws_) mine = law->take(args[k], k + 1 < n ? args[k + 1] : nullptr) || mine;
-      if (mine) continue;
-      rest.insert(rest.end(), args + k, args + std::min(k + 2, n));
-    }
-    return rest;
-  }
-
   void registerSettings(Settings &settings) {
     surface_.registerSettings(settings);
     for (auto &link : links_) link->registerSettings(settings);
@@ -120,8 +108,7 @@ class Chain : public ContactModelBase {
       return;
     }
     if (!segment_) links_.emplace_back(segment_ = new RustLink(lmp_, parent));
-    laws_.push_back(&segment_->segment.add(&slots_, index, taken(id)));
-    watch_.rust(kind, index, laws_.back());
+    watch_.rust(kind, index, &segment_->segment.add(&slots_, index, taken(id)));
   }
 
   LAMMPS *lmp_;
@@ -130,7 +117,6 @@ class Chain : public ContactModelBase {
   SurfaceModel<SURFACE_DEFAULT> surface_;
   std::vector<std::unique_ptr<Link> > links_;
   RustLink *segment_ = nullptr;  // the last link while it is one of ours
-  std::vector<Law *> laws_;
   Watch watch_;
 };
 

@@ -2,7 +2,7 @@
 #ifndef GRANLAW_LINK_HPP
 #define GRANLAW_LINK_HPP
 
-#include "adapter.hpp"
+#include "host.hpp"
 
 namespace granlaw {
 

@@ -8,29 +8,22 @@
 namespace granlaw {
 namespace {
 
-// The pair style and the wall of LIGGGHTS over our chain; they only take our own kind of settings out of the way.
-class PairStyle : public PairStyles::Granular<Chain> {
+// The pair style or wall of LIGGGHTS over our chain.
+template <class Style, class Parent>
+class Over : public Style {
  public:
-  PairStyle(LAMMPS *lmp, PairGran *parent, int64_t hash) : Granular(lmp, parent, hash), chain_(Chain::latest()) {}
+  Over(LAMMPS *lmp, Parent *parent, int64_t hash) : Style(lmp, parent, hash), error_(lmp->error) {}
   void settings(int n, char **args, IContactHistorySetup *history) {
-    std::vector<char *> rest = chain_->take_settings(n, args);
-    Granular::settings(static_cast<int>(rest.size()), rest.data(), history);
+    // LIGGGHTS would read beyond the end of the command.
+    if (n % 2) error_->all(GRANLAW_HERE, (std::string("Setting ") + args[n - 1] + " has no value").c_str());
+    Style::settings(n, args, history);
   }
 
  private:
-  Chain *chain_;
+  LAMMPS_NS::Error *error_;
 };
-class Wall : public Walls::Granular<Chain> {
- public:
-  Wall(LAMMPS *lmp, FixWallGran *parent, int64_t hash) : Granular(lmp, parent, hash), chain_(Chain::latest()) {}
-  void settings(int n, char **args, IContactHistorySetup *history) {
-    std::vector<char *> rest = chain_->take_settings(n, args);
-    Granular::settings(static_cast<int>(rest.size()), rest.data(), history);
-  }
-
- private:
-  Chain *chain_;
-};
+using PairStyle = Over<PairStyles::Granular<Chain>, PairGran>;
+using Wall = Over<Walls::Granular<Chain>, FixWallGran>;
 
 PairStyles::IGranularPairStyle *make_pair(LAMMPS *lmp, PairGran *parent, const int64_t hash) {
   return new PairStyle(lmp, parent, hash);
