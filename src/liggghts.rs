@@ -32,6 +32,15 @@ pub enum Laws {
     Stock,
 }
 
+/// How the pair style goes through the contacts of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Route {
+    /// All of them in one call; LIGGGHTS stops with the reason where that is not possible.
+    Batched,
+    /// One by one.
+    Contact,
+}
+
 /// The plugin and what it is to do.
 #[derive(Clone, Debug)]
 pub struct Preload<'a> {
@@ -45,6 +54,8 @@ pub struct Preload<'a> {
     pub every: u64,
     /// File name of the deck, for the traces.
     pub deck: Option<String>,
+    /// How the pair style goes through its contacts; without it, batched where possible.
+    pub route: Option<Route>,
 }
 
 impl Preload<'_> {
@@ -61,6 +72,8 @@ impl Preload<'_> {
             env.push(("GRANLAW_RECORD", path.display().to_string()));
             env.push(("GRANLAW_EVERY", self.every.to_string()));
         }
+        let route = self.route.map(|r| if r == Route::Batched { "batched" } else { "contact" });
+        env.extend(route.map(|r| ("GRANLAW_PATH", r.into())));
         env.extend(self.deck.iter().map(|d| ("GRANLAW_DECK", d.clone())));
         env
     }

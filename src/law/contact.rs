@@ -1,5 +1,5 @@
 //! What a law sees of a contact, and what it answers. SI units.
-use crate::lane::{dot, zero, Lane};
+use crate::lane::{cross, dot, zero, Lane};
 use nalgebra::Vector3;
 
 /// The circumstances of one evaluation.
@@ -94,9 +94,42 @@ pub struct Surface<L = f64> {
     pub crj: L,
 }
 
-impl Default for Surface {
-    fn default() -> Surface {
-        Surface { deltan: 0.0, vn: 0.0, en: zero(), vtr: zero(), roll: zero(), cri: 0.0, crj: 0.0 }
+impl<L: Lane> Default for Surface<L> {
+    #[inline(always)]
+    fn default() -> Surface<L> {
+        let o = L::splat(0.0);
+        Surface { deltan: o, vn: o, en: zero(), vtr: zero(), roll: zero(), cri: o, crj: o }
+    }
+}
+
+impl<L: Lane> Surface<L> {
+    /// Two spheres by LIGGGHTS's default surface model, with its operations in its order. `delta` leads from j to i
+    /// \[m\], `rsq` is the square of its length, `v` is the velocity of i less that of j \[m/s\].
+    #[inline(always)]
+    pub fn between(
+        delta: &Vector3<L>,
+        rsq: L,
+        radius: (L, L),
+        v: &Vector3<L>,
+        omega: (&Vector3<L>, &Vector3<L>),
+    ) -> Surface<L> {
+        let r = rsq.sqrt();
+        let rinv = L::splat(1.0) / r;
+        let deltan = radius.0 + radius.1 - r;
+        let half = L::splat(0.5) * deltan;
+        let (cri, crj) = (radius.0 - half, radius.1 - half);
+        let spin = (omega.0 * cri + omega.1 * crj) * rinv;
+        let roll = omega.0 - omega.1;
+        Surface { deltan, cri, crj, roll, ..Surface::default() }.seen(delta, rinv, v, &spin)
+    }
+
+    /// The motion of surfaces that turn with `spin` \[rad/s\].
+    #[inline(always)]
+    fn seen(mut self, delta: &Vector3<L>, rinv: L, v: &Vector3<L>, spin: &Vector3<L>) -> Surface<L> {
+        self.en = delta * rinv;
+        self.vn = dot(v, &self.en);
+        self.vtr = (v - self.en * self.vn) - cross(spin, delta);
+        self
     }
 }
 
@@ -110,19 +143,12 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Two spheres by LIGGGHTS's default surface model, with its operations in its order.
+    /// Two spheres, by [`Surface::between`].
     pub fn pair(gap: Gap) -> Contact {
-        let r = gap.rsq.sqrt();
-        let rinv = 1.0 / r;
-        let deltan = gap.i.radius + gap.j.radius - r;
-        let (cri, crj) = (gap.i.radius - 0.5 * deltan, gap.j.radius - 0.5 * deltan);
-        let spin = (gap.i.omega * cri + gap.j.omega * crj) * rinv;
-        Contact::seen(
-            gap,
-            rinv,
-            spin,
-            Surface { deltan, cri, crj, roll: gap.i.omega - gap.j.omega, ..Surface::default() },
-        )
+        let (i, j) = (&gap.i, &gap.j);
+        let surface =
+            Surface::between(&gap.delta, gap.rsq, (i.radius, j.radius), &(i.v - j.v), (&i.omega, &j.omega));
+        Contact { gap, surface }
     }
 
     /// A sphere on a wall by the same model; `deltan` is the overlap that the wall found \[m\].
@@ -131,20 +157,8 @@ impl Contact {
         let rinv = 1.0 / r;
         let cri = gap.i.radius - 0.5 * deltan;
         let spin = gap.i.omega * cri * rinv;
-        Contact::seen(
-            gap,
-            rinv,
-            spin,
-            Surface { deltan: gap.i.radius - r, cri, roll: spin, ..Surface::default() },
-        )
-    }
-
-    fn seen(gap: Gap, rinv: f64, spin: Vector3<f64>, mut surface: Surface) -> Contact {
-        let v = gap.i.v - gap.j.v;
-        surface.en = gap.delta * rinv;
-        surface.vn = dot(&v, &surface.en);
-        surface.vtr = (v - surface.en * surface.vn) - spin.cross(&gap.delta);
-        Contact { gap, surface }
+        let surface = Surface { deltan: gap.i.radius - r, cri, roll: spin, ..Surface::default() };
+        Contact { gap, surface: surface.seen(&gap.delta, rinv, &(gap.i.v - gap.j.v), &spin) }
     }
 }
 
@@ -219,6 +233,7 @@ pub struct Stage<L = f64> {
 }
 
 impl<L: Lane> Default for Stage<L> {
+    #[inline(always)]
     fn default() -> Stage<L> {
         let o = L::splat(0.0);
         let (force, torque_i, torque_j) = (zero(), zero(), zero());

@@ -1,6 +1,7 @@
 //! A law with its types erased, ready to run for every pair of atom types.
-use super::{Contact, Gap, Law, LawError, Meta, Setup, Size, Stage, Terms};
+use super::{Contact, Gap, LaneLaw, Law, LawError, Meta, Setup, Size, Stage, Terms};
 use bytemuck::Pod;
+use std::fmt::Debug;
 
 /// What the chain holds of a law: prepared for all pairs of atom types, histories as plain numbers.
 pub trait Kernel: Send {
@@ -45,29 +46,45 @@ impl<L: Law> Kernel for Prepared<L> {
     }
 }
 
+/// What is made of every law that has lanes: kernels of a certain width, tests.
+pub trait ForLanes: Copy + Debug + 'static {
+    /// What comes out.
+    type Made: 'static;
+    /// Make it for one law.
+    fn make<W: LaneLaw>() -> Self::Made;
+}
+
+/// Where nothing is made of lanes: a law as it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Alone;
+
+impl ForLanes for Alone {
+    type Made = ();
+    fn make<W: LaneLaw>() {}
+}
+
 /// A row of the registry.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
+pub struct Entry<U: ForLanes = Alone> {
     /// What the law says of itself.
     pub meta: &'static Meta,
     prepare: fn(&Setup) -> Result<Box<dyn Kernel>, LawError>,
+    lanes: Option<fn() -> U::Made>,
 }
 
-/// The row of a law.
-pub const fn entry<L: Law>() -> Entry {
-    assert!(size_of::<L::History>() == 8 * L::META.slots.len(), "History and slots differ in length");
-    assert!(L::META.id >= 48 && L::META.id < 64, "own numbers are 48 to 63");
-    Entry { meta: &L::META, prepare: prepare::<L> }
-}
+impl<U: ForLanes> Entry<U> {
+    /// The row of a law whose hot function takes one contact at a time.
+    pub const fn scalar<L: Law>() -> Entry<U> {
+        assert!(size_of::<L::History>() == 8 * L::META.slots.len(), "History and slots differ in length");
+        assert!(L::META.id >= 48 && L::META.id < 64, "own numbers are 48 to 63");
+        Entry { meta: &L::META, prepare: prepare::<L>, lanes: None }
+    }
 
-fn prepare<L: Law>(setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
-    setup.check()?;
-    let n = setup.values.types;
-    let coeffs = (0..n * n).map(|p| L::coeffs(&setup.pair(p / n, p % n))).collect::<Result<_, _>>()?;
-    Ok(Box::new(Prepared::<L> { coeffs, fit: None }))
-}
+    /// The row of a law whose hot function takes several.
+    pub const fn lanes<W: LaneLaw>() -> Entry<U> {
+        Entry { lanes: Some(U::make::<W>), ..Entry::scalar::<W>() }
+    }
 
-impl Entry {
     /// Check the set-up and prepare the law for all pairs of atom types.
     ///
     /// # Errors
@@ -75,4 +92,13 @@ impl Entry {
     pub fn prepare(&self, setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
         (self.prepare)(setup)
     }
+
+    /// What `U` makes of the law; nothing of one without lanes.
+    pub fn make(&self) -> Option<U::Made> {
+        self.lanes.map(|make| make())
+    }
+}
+
+fn prepare<L: Law>(setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
+    Ok(Box::new(Prepared::<L> { coeffs: setup.coeffs::<L>()?, fit: None }))
 }

@@ -8,7 +8,7 @@ mod meta;
 mod setup;
 
 pub use contact::{Body, Call, Contact, Gap, Mark, Size, Stage, Surface, Terms};
-pub use kernel::{entry, Entry, Kernel};
+pub use kernel::{Alone, Entry, ForLanes, Kernel};
 pub use meta::{
     Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot, Support, Unit,
 };
@@ -50,10 +50,14 @@ pub trait LaneLaw: Law {
     /// [`Law::History`], one per lane: `[L; slots]`.
     type HistoryOf<L: Lane>: Copy + AsRef<[L]> + for<'a> TryFrom<&'a [L]>;
 
+    /// Whether the fit changes with the normal velocity, so that it cannot be kept.
+    fn follows_speed(_: &Self::Fit) -> bool {
+        false
+    }
     /// The fit that holds at a normal velocity \[m/s\].
     fn fit_at(f: &Self::Fit, vn: f64) -> Self::FitOf<f64>;
-    /// As many fits as there are lanes side by side. They come from one type pair, so their switches are the same.
-    fn side_by_side<L: Lane>(fits: &[Self::FitOf<f64>]) -> Self::FitOf<L>;
+    /// The fits of all lanes side by side. They come from one chain, so their switches are the same.
+    fn side_by_side<L: Lane>(fit: impl Fn(usize) -> Self::FitOf<f64>) -> Self::FitOf<L>;
 
     /// The hot function: `call` is the same for all lanes.
     fn touch_lanes<L: Lane>(

@@ -1,5 +1,6 @@
 //! Set-up: property values and settings in, coefficients or a refusal out. Nothing is refused later.
 use super::meta::{Meta, Need, Range, Shape, Support};
+use super::Law;
 use thiserror::Error;
 
 /// Why a law refused its set-up. Each message says what, which, allowed and what to do.
@@ -224,6 +225,16 @@ impl Setup {
             }
         }
         Ok(())
+    }
+
+    /// Check the set-up and mix the coefficients of all pairs of atom types; `i * types + j` is the place of i and j.
+    ///
+    /// # Errors
+    /// The first thing that the law refuses.
+    pub fn coeffs<L: Law>(&self) -> Result<Vec<L::Coeffs>, LawError> {
+        self.check()?;
+        let n = self.values.types;
+        (0..n * n).map(|p| L::coeffs(&self.pair(p / n, p % n))).collect()
     }
 
     /// The view of one pair of atom types, counted from 0.

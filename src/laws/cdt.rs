@@ -74,11 +74,12 @@ impl LaneLaw for Cdt {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
-        Fit { torque: ConstantTorque::side_by_side(|k| f[k].torque), torsion: f[0].torsion }
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
+        Fit { torque: ConstantTorque::side_by_side(|k| f(k).torque), torsion: f(0).torsion }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let mut torque = f.torque.along(&x.roll, call, x, s.kn); // (E1)
         if !f.torsion {

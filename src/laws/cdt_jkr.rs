@@ -185,7 +185,7 @@ impl Law for CdtJkr {
 
 impl<L: Lane> Fit<L> {
     /// (L) The torque that brings the pair to rest within the step \[N m\].
-    #[inline]
+    #[inline(always)]
     fn resting(&self, call: &Call, x: &Surface<L>, s: &Stage<L>) -> Vector3<L> {
         // Of a wall, the surface model gives ω_i times (R − δ/2)/(R − δ).
         let shown = if call.is_wall { x.cri / (x.cri - L::splat(0.5) * x.deltan) } else { L::splat(1.0) };
@@ -194,7 +194,7 @@ impl<L: Lane> Fit<L> {
     }
 
     /// What the torque is against: the whole of a spin, or its rolling part (5).
-    #[inline]
+    #[inline(always)]
     fn axis(&self, spin: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
         if !self.switches.rolling_part {
             return spin;
@@ -213,16 +213,17 @@ impl LaneLaw for CdtJkr {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
         Fit {
-            torque: ConstantTorque::side_by_side(|k| f[k].torque),
-            mobility: [0, 1].map(|b| L::from_fn(|k| f[k].mobility[b])),
-            inertia: L::from_fn(|k| f[k].inertia),
-            switches: f[0].switches,
+            torque: ConstantTorque::side_by_side(|k| f(k).torque),
+            mobility: [L::from_fn(|k| f(k).mobility[0]), L::from_fn(|k| f(k).mobility[1])],
+            inertia: L::from_fn(|k| f(k).inertia),
+            switches: f(0).switches,
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let Switches { torsion, rest_limit, .. } = f.switches;
         let spin = if rest_limit { f.resting(call, x, s) } else { x.roll };

@@ -1,5 +1,5 @@
 //! What several laws share. Operations stand in LIGGGHTS's order, so that the same numbers come out to the last bit.
-use crate::lane::{dot, norm, select3, zero, Lane};
+use crate::lane::{dot, each, norm, select3, zero, Lane};
 use crate::law::{Call, Pair, Size, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -43,6 +43,7 @@ impl ConstantTorque {
     }
 
     /// One per lane.
+    #[inline(always)]
     pub fn side_by_side<L: Lane>(of: impl Fn(usize) -> ConstantTorque) -> ConstantTorque<L> {
         ConstantTorque { mu: L::from_fn(|k| of(k).mu), reff: L::from_fn(|k| of(k).reff) }
     }
@@ -50,19 +51,19 @@ impl ConstantTorque {
 
 impl<L: Lane> ConstantTorque<L> {
     /// Its size \[N m\].
-    #[inline]
+    #[inline(always)]
     pub fn size(&self, x: &Surface<L>, kn: L) -> L {
         self.mu * kn * x.deltan * self.reff
     }
 
     /// The torque along an axis of any length; none where it has no length.
-    #[inline]
+    #[inline(always)]
     pub fn along(&self, axis: &Vector3<L>, call: &Call, x: &Surface<L>, kn: L) -> Vector3<L> {
         let length = norm(axis);
         // LIGGGHTS multiplies in another order on a wall.
         let torque = if call.is_wall {
             let size = self.mu * (x.deltan * kn);
-            axis.map(|a| size * a / length * self.reff)
+            each(axis, |a| size * a / length * self.reff)
         } else {
             axis * (self.size(x, kn) / length)
         };
@@ -71,7 +72,7 @@ impl<L: Lane> ConstantTorque<L> {
 }
 
 /// A vector without its part along the unit normal.
-#[inline]
+#[inline(always)]
 pub fn without_normal<L: Lane>(v: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
     v - en * dot(&v, en)
 }
@@ -138,6 +139,11 @@ impl Damper {
     ) -> Damper {
         let gamman = if viscous.is_some() { 0.0 } else { law(size.meff, kn, log_e) };
         Damper { gamman, tangential, moving: viscous.map(|v| (v, *size, kn)), law }
+    }
+
+    /// Whether the velocity decides.
+    pub fn follows_speed(&self) -> bool {
+        self.moving.is_some()
     }
 
     /// γn and γt \[N s/m\] at a normal velocity \[m/s\].

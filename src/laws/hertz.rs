@@ -146,21 +146,22 @@ impl LaneLaw for Hertz {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
         Fit {
-            reff: L::from_fn(|k| f[k].reff),
-            meff: L::from_fn(|k| f[k].meff),
-            yeff: L::from_fn(|k| f[k].yeff),
-            geff: L::from_fn(|k| f[k].geff),
-            beta: L::from_fn(|k| f[k].beta),
-            nktv2p: L::from_fn(|k| f[k].nktv2p),
-            tangential_damping: f[0].tangential_damping,
-            limit_force: f[0].limit_force,
-            timing: f[0].timing,
+            reff: L::from_fn(|k| f(k).reff),
+            meff: L::from_fn(|k| f(k).meff),
+            yeff: L::from_fn(|k| f(k).yeff),
+            geff: L::from_fn(|k| f(k).geff),
+            beta: L::from_fn(|k| f(k).beta),
+            nktv2p: L::from_fn(|k| f(k).nktv2p),
+            tangential_damping: f(0).tangential_damping,
+            limit_force: f(0).limit_force,
+            timing: f(0).timing,
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let root = (f.reff * x.deltan).sqrt();
         let (sn, st) = (L::splat(2.0) * f.yeff * root, L::splat(8.0) * f.geff * root); // (E1)

@@ -23,7 +23,7 @@
 use super::no_history::push;
 use super::prop;
 use super::timing::{at_once, growing, turning, Ends, Timing};
-use crate::lane::{dot, norm, select3, zero, Lane};
+use crate::lane::{dot, each, norm, select3, zero, Lane};
 use crate::law::*;
 use nalgebra::Vector3;
 
@@ -114,11 +114,12 @@ impl LaneLaw for History {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
-        Fit { mu: L::from_fn(|k| f[k].mu), meff: L::from_fn(|k| f[k].meff), timing: f[0].timing }
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
+        Fit { mu: L::from_fn(|k| f(k).mu), meff: L::from_fn(|k| f(k).meff), timing: f(0).timing }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
         if f.timing.acts(call) {
             return timed(f, call, x, h, s);
@@ -130,7 +131,7 @@ impl LaneLaw for History {
             *h = shear.into();
         }
         let length = norm(&shear);
-        let elastic = (shear * s.kt).map(|e| -e);
+        let elastic = each(&shear, |x| -(x * s.kt));
         let (spring, coulomb) = (s.kt * length, f.mu * s.fn_.abs());
         let slips = spring.gt(coulomb);
         let mut force = elastic - x.vtr * s.gammat; // (E2)
@@ -138,7 +139,7 @@ impl LaneLaw for History {
             let limited = elastic * (coulomb / spring); // (E3)
             force = select3(slips, limited, force);
             if call.update {
-                *h = select3(slips, limited.map(|e| -e / s.kt), shear).into();
+                *h = select3(slips, each(&limited, |e| -e / s.kt), shear).into();
             }
         }
         push(x, s, force);
@@ -155,7 +156,7 @@ fn timed<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &m
     let mut shear = select3(turned, zero(), Vector3::from(*h)) + x.vtr * (dt * begun); // (E1), (E5)
     shear -= x.en * dot(&shear, &x.en);
     let length = norm(&shear);
-    let way = select3(length.gt(none), shear.map(|e| e / length), zero());
+    let way = select3(length.gt(none), each(&shear, |e| e / length), zero());
     let (spring, coulomb) = (s.kt * length, f.mu * s.fn_.abs());
     let slips = spring.gt(coulomb);
     *h = select3(slips, way * (coulomb / s.kt), shear).into();

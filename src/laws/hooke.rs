@@ -171,24 +171,29 @@ impl LaneLaw for Hooke {
     type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 0];
 
+    fn follows_speed(f: &Fitted) -> bool {
+        f.damper.follows_speed()
+    }
+
     fn fit_at(f: &Fitted, vn: f64) -> Fit {
         let (gamman, gammat) = f.damper.at(vn);
         Fit { gamman, gammat, ..f.fit }
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
         Fit {
-            kn: L::from_fn(|k| f[k].kn),
-            kt: L::from_fn(|k| f[k].kt),
-            gamman: L::from_fn(|k| f[k].gamman),
-            gammat: L::from_fn(|k| f[k].gammat),
-            meff: L::from_fn(|k| f[k].meff),
-            limit_force: f[0].limit_force,
-            timing: f[0].timing,
+            kn: L::from_fn(|k| f(k).kn),
+            kt: L::from_fn(|k| f(k).kt),
+            gamman: L::from_fn(|k| f(k).gamman),
+            gammat: L::from_fn(|k| f(k).gammat),
+            meff: L::from_fn(|k| f(k).meff),
+            limit_force: f(0).limit_force,
+            timing: f(0).timing,
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let spring = f.kn * x.deltan;
         let mut fn_ = -f.gamman * x.vn + spring; // (E3)

@@ -256,26 +256,31 @@ impl LaneLaw for HookeHysteresis {
     type FitOf<L: Lane> = Fit<L>;
     type HistoryOf<L: Lane> = [L; 1];
 
+    fn follows_speed(f: &Fitted) -> bool {
+        f.damper.follows_speed()
+    }
+
     fn fit_at(f: &Fitted, vn: f64) -> Fit {
         let (gamman, gammat) = f.damper.at(vn);
         Fit { gamman, gammat, ..f.fit }
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
         Fit {
-            kn: L::from_fn(|k| f[k].kn),
-            k2max: L::from_fn(|k| f[k].k2max),
-            kc: L::from_fn(|k| f[k].kc),
-            delta_lim: L::from_fn(|k| f[k].delta_lim),
-            gamman: L::from_fn(|k| f[k].gamman),
-            gammat: L::from_fn(|k| f[k].gammat),
-            meff: L::from_fn(|k| f[k].meff),
-            limit_force: f[0].limit_force,
-            timing: f[0].timing,
+            kn: L::from_fn(|k| f(k).kn),
+            k2max: L::from_fn(|k| f(k).k2max),
+            kc: L::from_fn(|k| f(k).kc),
+            delta_lim: L::from_fn(|k| f(k).delta_lim),
+            gamman: L::from_fn(|k| f(k).gamman),
+            gammat: L::from_fn(|k| f(k).gammat),
+            meff: L::from_fn(|k| f(k).meff),
+            limit_force: f(0).limit_force,
+            timing: f(0).timing,
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 1], s: &mut Stage<L>) {
         let [delta_max] = h;
         let delta = x.deltan;

@@ -1,5 +1,5 @@
 //! Every law, one file each.
-use crate::law::{entry, Entry, Kind};
+use crate::law::{Alone, Entry, ForLanes, Kind};
 
 pub mod cdt;
 pub mod cdt_jkr;
@@ -13,16 +13,23 @@ pub mod prop;
 pub mod table;
 pub mod timing;
 
-/// All laws, one line each. A law that is not here does not exist.
-pub static LAWS: &[Entry] = &[
-    entry::<hooke::Hooke>(),
-    entry::<hertz::Hertz>(),
-    entry::<hooke_hysteresis::HookeHysteresis>(),
-    entry::<no_history::NoHistory>(),
-    entry::<history::History>(),
-    entry::<cdt::Cdt>(),
-    entry::<cdt_jkr::CdtJkr>(),
-];
+/// All laws, one line each, with what `U` makes of those that have lanes. A law that is not here does not exist.
+pub const fn all<U: ForLanes>() -> &'static [Entry<U>] {
+    const {
+        &[
+            Entry::lanes::<hooke::Hooke>(),
+            Entry::lanes::<hertz::Hertz>(),
+            Entry::lanes::<hooke_hysteresis::HookeHysteresis>(),
+            Entry::lanes::<no_history::NoHistory>(),
+            Entry::lanes::<history::History>(),
+            Entry::lanes::<cdt::Cdt>(),
+            Entry::lanes::<cdt_jkr::CdtJkr>(),
+        ]
+    }
+}
+
+/// All laws.
+pub static LAWS: &[Entry] = all::<Alone>();
 
 /// The law of a kind with a name, given as LIGGGHTS has it (`hooke`) or as our own (`hooke/rs`).
 pub fn find(kind: Kind, name: &str) -> Option<&'static Entry> {

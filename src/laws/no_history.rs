@@ -7,7 +7,7 @@
 //! Limits: no static friction; a contact at rest creeps.
 use super::prop;
 use super::timing::{turning, Timing};
-use crate::lane::{norm, Lane};
+use crate::lane::{cross, norm, Lane};
 use crate::law::*;
 
 /// The law.
@@ -84,11 +84,12 @@ impl LaneLaw for NoHistory {
         *f
     }
 
-    fn side_by_side<L: Lane>(f: &[Fit]) -> Fit<L> {
-        Fit { mu: L::from_fn(|k| f[k].mu), meff: L::from_fn(|k| f[k].meff), timing: f[0].timing }
+    #[inline(always)]
+    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
+        Fit { mu: L::from_fn(|k| f(k).mu), meff: L::from_fn(|k| f(k).meff), timing: f(0).timing }
     }
 
-    #[inline]
+    #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let speed = norm(&x.vtr);
         let coulomb = f.mu * s.fn_.abs();
@@ -107,9 +108,9 @@ impl LaneLaw for NoHistory {
 }
 
 /// Hand out a tangential force: torque on either side is lever × force.
-#[inline]
+#[inline(always)]
 pub(super) fn push<L: Lane>(x: &Surface<L>, s: &mut Stage<L>, force: nalgebra::Vector3<L>) {
-    let turn = x.en.cross(&force);
+    let turn = cross(&x.en, &force);
     s.force += force;
     s.torque_i += turn * -x.cri;
     s.torque_j += turn * -x.crj;

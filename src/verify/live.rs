@@ -101,6 +101,7 @@ impl Trial<'_> {
             record: record.then(Folder::record),
             every: deck.every,
             deck: Some(deck.file()),
+            route: None,
         };
         let folder = Folder::new(self.deck)?;
         if let Some(before) = &self.first {

@@ -2,10 +2,7 @@
 use crate::recipe::{chain_of, for_all, Case, Draw, Recipe, Switches};
 use granlaw::lane::{Lane, Pack};
 use granlaw::law::*;
-use granlaw::laws::{
-    cdt::Cdt, cdt_jkr::CdtJkr, hertz::Hertz, history, hooke::Hooke, hooke_hysteresis::HookeHysteresis,
-};
-use granlaw::laws::{no_history::NoHistory, LAWS};
+use granlaw::laws::{all, no_history::NoHistory};
 use nalgebra::Vector3;
 
 type Outcome = Result<(), String>;
@@ -104,7 +101,7 @@ fn at_once<W: LaneLaw, L: Lane>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<
     let fits: Vec<_> = cases.iter().map(|c| fit::<W>(r, c)).collect();
     let slots: Vec<L> = (0..cases[0].history.len()).map(|k| number(&|c| c.history[k])).collect();
     let mut h: W::HistoryOf<L> = row(&slots);
-    W::touch_lanes::<L>(&W::side_by_side(&fits), call, &x, &mut h, &mut s);
+    W::touch_lanes::<L>(&W::side_by_side(|k| fits[k]), call, &x, &mut h, &mut s);
     (0..L::WIDTH).map(|k| bits(&s, h.as_ref(), k)).collect()
 }
 
@@ -140,32 +137,27 @@ fn every_width<W: LaneLaw>(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
 
 type LaneCheck = fn(&Recipe, &Case, &mut Draw<'_>) -> Outcome;
 
-/// The laws with a hot function for lanes. A law that stays scalar is named in `SCALAR` instead.
-const LANE_LAWS: [(&Meta, LaneCheck); 7] = [
-    (&Hooke::META, every_width::<Hooke>),
-    (&Hertz::META, every_width::<Hertz>),
-    (&HookeHysteresis::META, every_width::<HookeHysteresis>),
-    (&NoHistory::META, every_width::<NoHistory>),
-    (&history::History::META, every_width::<history::History>),
-    (&Cdt::META, every_width::<Cdt>),
-    (&CdtJkr::META, every_width::<CdtJkr>),
-];
-const SCALAR: [&str; 0] = [];
+/// The check above for every law with lanes.
+#[derive(Clone, Copy, Debug)]
+struct Checked;
 
-#[test]
-fn lanes_answer_as_single_contacts_do_to_the_last_bit() {
-    for (meta, check) in LANE_LAWS {
-        for_all(&chain_of(&[meta.keyword]), Switches::Any, 1000, None, check)
-            .unwrap_or_else(|e| panic!("{}: {e}", meta.keyword));
+impl ForLanes for Checked {
+    type Made = LaneCheck;
+    fn make<W: LaneLaw>() -> LaneCheck {
+        every_width::<W>
     }
 }
 
 #[test]
-fn every_law_is_listed_here() {
-    for e in LAWS {
-        let listed = LANE_LAWS.iter().any(|(m, _)| m.keyword == e.meta.keyword);
-        assert!(listed != SCALAR.contains(&e.meta.keyword), "{} must be in one of the lists", e.meta.keyword);
+fn lanes_answer_as_single_contacts_do_to_the_last_bit() {
+    let laws = all::<Checked>().iter().filter_map(|e| Some((e.meta, e.make()?)));
+    let mut n = 0;
+    for (meta, check) in laws {
+        for_all(&chain_of(&[meta.keyword]), Switches::Any, 1000, None, check)
+            .unwrap_or_else(|e| panic!("{}: {e}", meta.keyword));
+        n += 1;
     }
+    assert!(n >= 7, "only {n} laws with lanes");
 }
 
 /// Coulomb friction whose batch lets all lanes slip where one does.
@@ -195,7 +187,7 @@ impl LaneLaw for AllSlip {
     type HistoryOf<L: Lane> = [L; 0];
 
     fn fit_at(_: &(), _: f64) {}
-    fn side_by_side<L: Lane>(_: &[()]) {}
+    fn side_by_side<L: Lane>(_: impl Fn(usize)) {}
     fn touch_lanes<L: Lane>(_: &(), _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let speed = granlaw::lane::norm(&x.vtr);
         let coulomb = L::splat(0.1) * s.fn_.abs();

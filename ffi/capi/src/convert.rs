@@ -2,8 +2,7 @@
 use crate::abi::*;
 use crate::call;
 use crate::status::Failure;
-use granlaw::chain::Chain;
-use granlaw::law::{Body, Contact, Gap, Settings, Setup, Stage, Surface, Values};
+use granlaw::law::{Body, Contact, Gap, Meta, Settings, Setup, Stage, Surface, Values};
 use granlaw::laws::LAWS;
 use nalgebra::Vector3;
 use std::slice::from_raw_parts;
@@ -179,8 +178,8 @@ pub fn finite(x: &Contact) -> bool {
 
 /// What to say of it.
 #[cold]
-pub fn non_finite(chain: &Chain, x: &Contact) -> Failure {
-    let laws: Vec<_> = chain.laws().map(|m| m.keyword).collect();
+pub fn non_finite(laws: impl Iterator<Item = &'static Meta>, x: &Contact) -> Failure {
+    let laws: Vec<_> = laws.map(|m| m.keyword).collect();
     let partner = if x.gap.call.is_wall { "a wall".into() } else { format!("particle {}", x.gap.j.tag) };
     Failure::non_finite(format!(
         "{}: the contact of particle {} with {partner} at step {} is not finite (overlap {:e} m, normal velocity {:e} m/s); reduce the time step or check the input",

@@ -133,7 +133,7 @@ pub unsafe extern "C" fn granlaw_surfaces_intersect(
         // SAFETY: the contact's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
         let x = unsafe { convert::contact(&c.pass, s) };
         if !convert::finite(&x) {
-            return Err(convert::non_finite(&c.chain, &x));
+            return Err(convert::non_finite(c.chain.laws(), &x));
         }
         let mut stage = convert::stage(&s.close, fi, fj);
         (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat) = (s.Fn, s.kn, s.kt, s.gamman, s.gammat);

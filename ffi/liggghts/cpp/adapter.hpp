@@ -234,15 +234,18 @@ class Segment {
   }
 
   void connectToProperties(PropertyRegistry &registry) {
-    std::vector<granlaw_choice> choices;
+    choices_.clear();
     for (const auto &law : laws_) {
       law->connectToProperties(registry);
-      choices.push_back(law->choice());
+      choices_.push_back(law->choice());
     }
     granlaw_free(chain_);
-    const granlaw_setup setup = {choices.data(), choices.size(), static_cast<size_t>(registry.max_type()), lmp_->force->nktv2p};
-    if (granlaw_prepare(&setup, &chain_) != GRANLAW_OK) lmp_->error->all(GRANLAW_HERE, granlaw_last_error());
+    types_ = static_cast<size_t>(registry.max_type());
+    const granlaw_setup all = setup();
+    if (granlaw_prepare(&all, &chain_) != GRANLAW_OK) lmp_->error->all(GRANLAW_HERE, granlaw_last_error());
   }
+  // Good until the properties are read again.
+  granlaw_setup setup() const { return granlaw_setup{choices_.data(), choices_.size(), types_, lmp_->force->nktv2p}; }
 
   void beginPass() {
     const granlaw_pass pass = pass_of(lmp_, pair_);
@@ -274,6 +277,8 @@ class Segment {
   LAMMPS *lmp_;
   PairGran *pair_;
   granlaw_chain *chain_;
+  size_t types_ = 0;
+  std::vector<granlaw_choice> choices_;
   std::vector<std::unique_ptr<Law> > laws_;
 };
 

@@ -93,7 +93,9 @@ class Chain : public ContactModelBase {
     return false;
   }
 
-  Watch &watch() { return watch_; }
+  bool watched() const { return watch_.on(); }
+  // The Rust laws where the chain has no others, else NULL.
+  const Segment *rust() const { return segment_ && links_.size() == 1 ? &segment_->segment : nullptr; }
 
  private:
   void add(int32_t kind, int id, IContactHistorySetup *parent) {

@@ -11,8 +11,13 @@ namespace granlaw {
 // stock: the stock names keep the stock laws, but in our chain, where they can be recorded.
 enum class Laws { own, rust, stock };
 
+// either: all contacts of a step in one call where that is possible. batched: stop where it is not. contact: never.
+enum class Path { either, batched, contact };
+
 struct Mode {
   Laws laws = Laws::own;
+  Path path = Path::either;
+  std::string lanes;   // how many contacts go side by side, empty for as many as the processor can
   std::string record;  // path of the trace, empty for none
   uint64_t every = 1;
   std::string deck;
@@ -30,6 +35,11 @@ inline const Mode &mode() {
     if (laws == "rust") m.laws = Laws::rust;
     else if (laws == "stock") m.laws = Laws::stock;
     else if (!laws.empty() && laws != "own") m.trouble = "GRANLAW_LAWS=" + laws + " must be own, rust or stock";
+    const std::string path = get("GRANLAW_PATH");
+    if (path == "batched") m.path = Path::batched;
+    else if (path == "contact") m.path = Path::contact;
+    else if (!path.empty()) m.trouble = "GRANLAW_PATH=" + path + " must be batched or contact";
+    m.lanes = get("GRANLAW_LANES");
     m.record = get("GRANLAW_RECORD");
     m.deck = get("GRANLAW_DECK");
     const std::string every = get("GRANLAW_EVERY");

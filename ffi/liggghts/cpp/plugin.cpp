@@ -3,7 +3,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "chain.hpp"
+#include "batch.hpp"
 
 namespace granlaw {
 namespace {
@@ -22,8 +22,23 @@ class Over : public Style {
  private:
   LAMMPS_NS::Error *error_;
 };
-using PairStyle = Over<PairStyles::Granular<Chain>, PairGran>;
 using Wall = Over<Walls::Granular<Chain>, FixWallGran>;
+
+// Takes all contacts of a step at once where it can.
+class PairStyle : public Over<PairStyles::Granular<Chain>, PairGran> {
+ public:
+  PairStyle(LAMMPS *lmp, PairGran *parent, int64_t hash) : Over(lmp, parent, hash), batch_(lmp, Chain::latest()) {}
+  void init_granular() {
+    Granular::init_granular();
+    batch_.init();
+  }
+  void compute_force(PairGran *pair, int eflag, int vflag, int addflag) {
+    if (!batch_.run(pair, eflag || vflag, addflag)) Granular::compute_force(pair, eflag, vflag, addflag);
+  }
+
+ private:
+  Batch batch_;
+};
 
 PairStyles::IGranularPairStyle *make_pair(LAMMPS *lmp, PairGran *parent, const int64_t hash) {
   return new PairStyle(lmp, parent, hash);

@@ -27,6 +27,7 @@ class Watch {
     if (recorder_) granlaw_record_close(recorder_);
   }
 
+  bool on() const { return on_; }
   void rust(int32_t kind, int index, const Law *law) { laws_.push_back({kind, index, law, "", 0}); }
   void stock(int32_t kind, int index, const char *name, size_t at) {
     const Law *law = nullptr;

@@ -4,6 +4,7 @@
 // The C interface must be part of this library: the C++ half calls it.
 pub use granlaw_capi::*;
 
+mod batch;
 mod recorder;
 
 #[cfg(liggghts)]

@@ -1,6 +1,6 @@
 //! `granlaw run`: LIGGGHTS with the plugin.
 use anyhow::{bail, Context};
-use granlaw::liggghts::{Host, Laws, Plugin, Preload};
+use granlaw::liggghts::{Host, Laws, Plugin, Preload, Route};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -27,6 +27,9 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 1, requires = "record",
         value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
+    /// How the pair style goes through the contacts of a step. Without it: batched where that is possible.
+    #[arg(long, value_enum)]
+    path: Option<Way>,
     /// Run on N MPI ranks, with mpirun.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     np: u64,
@@ -41,6 +44,14 @@ enum Whose {
     Rust,
     /// LIGGGHTS's own laws run, where the plugin can record them.
     Stock,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Way {
+    /// All of them in one call; an error where that is not possible.
+    Batched,
+    /// One by one.
+    Contact,
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
@@ -58,8 +69,13 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         Some(Whose::Rust) => Laws::Rust,
         Some(Whose::Stock) => Laws::Stock,
     };
+    let route = args.path.map(|way| match way {
+        Way::Batched => Route::Batched,
+        Way::Contact => Route::Contact,
+    });
     eprintln!("granlaw: plugin {}", plugin.path.display());
-    let preload = Preload { plugin: &plugin, laws, record: args.record.clone(), every: args.every, deck };
+    let preload =
+        Preload { plugin: &plugin, laws, record: args.record.clone(), every: args.every, deck, route };
     let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
     command.args(&args.liggghts);
     // This process becomes LIGGGHTS, so that no signal or status can be lost on the way.

@@ -1,0 +1,159 @@
+//! One law over the contacts of a chunk.
+use crate::chunk::Block;
+use crate::unit::Unit;
+use granlaw::law::{Call, ForLanes, LaneLaw, LawError, Mark, Setup, Size};
+use std::marker::PhantomData;
+
+/// A law prepared for lanes of one width.
+pub(crate) trait Kernel<L> {
+    /// All contacts have this pair of types and this size from now on.
+    fn fit_all(&mut self, pair: usize, size: &Size);
+    /// Contacts differ from now on, and none of `slots` neighbours is known yet.
+    fn fit_none(&mut self, slots: usize);
+    /// One neighbour's contact has this pair of types and this size.
+    fn fit(&mut self, slot: usize, pair: usize, size: &Size);
+    /// Run the law; the answer is what it does to the contact flags.
+    fn touch(&mut self, blocks: &mut [Block<L>], call: &Call) -> Mark;
+    /// Bytes in use.
+    fn bytes(&self) -> usize;
+}
+
+/// Makes kernels of one width of all laws that have lanes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kernels<L>(PhantomData<L>);
+
+/// A kernel from its set-up and the place of its history in a row.
+pub(crate) type Prepare<L> = fn(&Setup, usize) -> Result<Box<dyn Kernel<L>>, LawError>;
+
+impl<L: Unit> ForLanes for Kernels<L> {
+    type Made = Prepare<L>;
+    fn make<W: LaneLaw>() -> Prepare<L> {
+        |setup, at| {
+            let coeffs = setup.coeffs::<W>()?;
+            Ok(Box::new(Prepared::<W, L> { coeffs, at, fits: Fits::Each(Vec::new()) }))
+        }
+    }
+}
+
+/// The fits of a law.
+enum Fits<W: LaneLaw, L: Unit> {
+    /// One for all contacts.
+    Shared(W::FitOf<L>),
+    /// One per neighbour.
+    Each(Vec<W::FitOf<f64>>),
+    /// One per neighbour, still without the speed that it follows.
+    Following(Vec<W::Fit>),
+}
+
+struct Prepared<W: LaneLaw, L: Unit> {
+    coeffs: Vec<W::Coeffs>,
+    at: usize,
+    fits: Fits<W, L>,
+}
+
+impl<W: LaneLaw, L: Unit> Prepared<W, L> {
+    const SLOTS: usize = W::META.slots.len();
+
+    #[inline(always)]
+    fn touch_block(&self, f: &W::FitOf<L>, b: &mut Block<L>, call: &Call) {
+        let mut h = self.history(b);
+        b.stage.mark = Mark::Leave;
+        W::touch_lanes::<L>(f, call, &b.surface, &mut h, &mut b.stage);
+        for (c, column) in h.as_ref().iter().enumerate() {
+            for k in 0..L::WIDTH {
+                // SAFETY: as in `history`; rows of different contacts do not overlap.
+                unsafe { *b.history[k].add(self.at + c) = column.lane(k) };
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn history(&self, b: &Block<L>) -> W::HistoryOf<L> {
+        let mut columns = [L::splat(0.0); MOST_SLOTS];
+        for (c, column) in columns.iter_mut().enumerate().take(Self::SLOTS) {
+            // SAFETY: every contact of a block has a row that holds the slots of all laws of the chain.
+            *column = L::from_fn(|k| unsafe { *b.history[k].add(self.at + c) });
+        }
+        let Ok(h) = W::HistoryOf::<L>::try_from(&columns[..Self::SLOTS]) else {
+            unreachable!("the history of a law has as many numbers as it has slots")
+        };
+        h
+    }
+}
+
+const ANY: Size = Size { radi: 1.0, radj: 1.0, massi: 1.0, massj: 1.0, meff: 0.5, is_wall: false };
+
+/// No law on lanes has more slots.
+const MOST_SLOTS: usize = 8;
+
+impl<W: LaneLaw, L: Unit> Kernel<L> for Prepared<W, L> {
+    fn fit_all(&mut self, pair: usize, size: &Size) {
+        const { assert!(Self::SLOTS <= MOST_SLOTS) };
+        let fit = W::fit(&self.coeffs[pair], size);
+        self.fits = if W::follows_speed(&fit) {
+            Fits::Following(vec![fit])
+        } else {
+            L::run(|| {
+                let fit = W::fit_at(&fit, 0.0);
+                Fits::Shared(W::side_by_side::<L>(|_| fit))
+            })
+        };
+    }
+
+    fn fit_none(&mut self, slots: usize) {
+        // Any fit will do for the room of those that are not known yet.
+        let fit = W::fit(&self.coeffs[0], &ANY);
+        self.fits = if W::follows_speed(&fit) {
+            Fits::Following(vec![fit; slots])
+        } else {
+            let mut fits = match std::mem::replace(&mut self.fits, Fits::Each(Vec::new())) {
+                Fits::Each(fits) => fits,
+                _ => Vec::new(),
+            };
+            fits.resize(slots, W::fit_at(&fit, 0.0));
+            Fits::Each(fits)
+        };
+    }
+
+    fn fit(&mut self, slot: usize, pair: usize, size: &Size) {
+        let fit = W::fit(&self.coeffs[pair], size);
+        match &mut self.fits {
+            Fits::Shared(_) => {}
+            Fits::Each(fits) => fits[slot] = W::fit_at(&fit, 0.0),
+            Fits::Following(fits) => fits[slot] = fit,
+        }
+    }
+
+    fn touch(&mut self, blocks: &mut [Block<L>], call: &Call) -> Mark {
+        L::run(
+            #[inline(always)]
+            || {
+                for b in blocks.iter_mut() {
+                    match &self.fits {
+                        Fits::Shared(f) => self.touch_block(f, b, call),
+                        Fits::Each(fits) => {
+                            let f = W::side_by_side::<L>(|k| fits[b.slot[k] as usize]);
+                            self.touch_block(&f, b, call);
+                        }
+                        Fits::Following(fits) => {
+                            let slot = |k: usize| if fits.len() == 1 { 0 } else { b.slot[k] as usize };
+                            let at = |k: usize| W::fit_at(&fits[slot(k)], b.surface.vn.lane(k));
+                            let now: [_; 8] = std::array::from_fn(|k| at(k % L::WIDTH));
+                            let f = W::side_by_side::<L>(|k| now[k]);
+                            self.touch_block(&f, b, call);
+                        }
+                    }
+                }
+            },
+        );
+        blocks.last().map_or(Mark::Leave, |b| b.stage.mark)
+    }
+
+    fn bytes(&self) -> usize {
+        match &self.fits {
+            Fits::Shared(_) => 0,
+            Fits::Each(fits) => fits.capacity() * size_of::<W::FitOf<f64>>(),
+            Fits::Following(fits) => fits.capacity() * size_of::<W::Fit>(),
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! The batched pair pass: all contacts of a step in one call, several side by side in vector registers.
+//!
+//! Nothing is described here a second time. The laws are those of [`granlaw::laws::all`], whose hot functions are written
+//! once over [`granlaw::lane::Lane`]; this crate adds the vector units, walks LIGGGHTS's neighbour lists, and adds up
+//! forces in LIGGGHTS's order, so that the answers are those of the contact path to the last bit.
+#![warn(clippy::undocumented_unsafe_blocks)]
+
+pub mod arrays;
+mod chunk;
+mod kernel;
+mod pass;
+mod seen;
+mod unit;
+
+pub use arrays::Arrays;
+pub use pass::{NonFinite, Trouble};
+pub use unit::Width;
+
+use granlaw::law::{LawError, Setup};
+
+/// A chain that runs over all contacts of a step at once.
+pub trait Batch {
+    /// One pass: adds to forces and torques, writes history and contact flags.
+    ///
+    /// # Errors
+    /// A contact that is not finite, or arrays that do not fit together.
+    ///
+    /// # Safety
+    /// `a` is what [`Arrays`] says.
+    unsafe fn pass(&mut self, a: &Arrays) -> Result<(), Trouble>;
+    /// How many contacts were evaluated so far.
+    fn contacts(&self) -> u64;
+    /// Bytes in use beside LIGGGHTS's own.
+    fn bytes(&self) -> usize;
+}
+
+/// The chain of laws, as wide as asked for; `offsets[k]` is where the history of `setups[k]` begins. `None` where a law
+/// has no lanes.
+///
+/// # Errors
+/// The first thing that a law refuses.
+pub fn batch(setups: &[Setup], offsets: &[usize], width: Width) -> Result<Option<Box<dyn Batch>>, LawError> {
+    unit::batch(setups, offsets, width)
+}

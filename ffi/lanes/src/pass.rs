@@ -1,0 +1,198 @@
+//! One pass over all contacts of a step: find those that touch, run the laws, add up.
+use crate::arrays::{Arrays, Particles, Row};
+use crate::chunk::Chunk;
+use crate::kernel::{Kernel, Kernels};
+use crate::seen::{size, Seen};
+use crate::unit::Unit;
+use crate::Batch;
+use granlaw::chain::Marks;
+use granlaw::law::{Call, LawError, Mark, Meta, Setup};
+use granlaw::laws::all;
+use thiserror::Error;
+
+/// Why a pass was not carried out.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Trouble {
+    /// An array is missing, or an index leads out of its array.
+    #[error("{0}")]
+    Arrays(&'static str),
+    /// A contact with NaN or infinite kinematics; its forces were not added.
+    #[error("a contact is not finite")]
+    NonFinite(NonFinite),
+}
+
+/// A contact that is not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NonFinite {
+    /// The particles, as indices into the arrays.
+    pub i: usize,
+    pub j: usize,
+    /// Overlap \[m\] and normal velocity \[m/s\].
+    pub deltan: f64,
+    pub vn: f64,
+}
+
+struct Link<L> {
+    meta: &'static Meta,
+    kernel: Box<dyn Kernel<L>>,
+}
+
+/// A chain over lanes of one width.
+pub(crate) struct Pass<L: Unit> {
+    links: Vec<Link<L>>,
+    types: usize,
+    /// The length that a row of history must have at least.
+    row: usize,
+    rows: Vec<Row>,
+    slots: usize,
+    seen: Seen,
+    /// Which neighbours have fits; empty where all contacts are alike.
+    fitted: Vec<bool>,
+    chunk: Chunk<L>,
+    contacts: u64,
+}
+
+impl<L: Unit + 'static> Pass<L> {
+    /// See [`crate::batch`].
+    pub fn boxed(setups: &[Setup], offsets: &[usize]) -> Result<Option<Box<dyn Batch>>, LawError> {
+        let mut links = Vec::with_capacity(setups.len());
+        for (setup, at) in setups.iter().zip(offsets) {
+            let law = (setup.meta.kind, setup.meta.keyword);
+            let entry = all::<Kernels<L>>().iter().find(|e| (e.meta.kind, e.meta.keyword) == law);
+            let Some(prepare) = entry.and_then(|e| e.make()) else { return Ok(None) };
+            links.push(Link { meta: setup.meta, kernel: prepare(setup, *at)? });
+        }
+        let row = setups.iter().zip(offsets).map(|(s, at)| at + s.meta.slots.len()).max().unwrap_or(0);
+        Ok(Some(Box::new(Pass {
+            links,
+            types: setups.first().map_or(0, |s| s.values.types),
+            row,
+            rows: Vec::new(),
+            slots: 0,
+            seen: Seen::default(),
+            fitted: Vec::new(),
+            chunk: Chunk::new(row),
+            contacts: 0,
+        })))
+    }
+
+    /// Take up neighbour lists and particles, and drop the fits that no longer hold.
+    ///
+    /// # Safety
+    /// As [`Batch::pass`].
+    unsafe fn prepare(&mut self, a: &Arrays, p: &Particles<'_>) -> Result<(), Trouble> {
+        if a.rebuilt {
+            // SAFETY: as the caller promises.
+            let slots = unsafe { a.rows(&mut self.rows) };
+            self.slots =
+                slots.ok_or(Trouble::Arrays("the neighbour list names a particle that is not there"))?;
+            if self.row > 0 && (a.row < self.row || self.rows.iter().any(|r| r.history.is_null())) {
+                return Err(Trouble::Arrays("the neighbour list has no room for the laws' history"));
+            }
+        }
+        let news = self.seen.look(p, self.types);
+        if news.strange {
+            return Err(Trouble::Arrays("a particle has an atom type that the laws were not prepared for"));
+        }
+        if a.rebuilt || news.changed {
+            self.forget();
+        }
+        Ok(())
+    }
+
+    fn forget(&mut self) {
+        self.fitted.clear();
+        match self.seen.alike() {
+            Some((size, kind)) => {
+                let pair = kind * self.types + kind;
+                self.links.iter_mut().for_each(|l| l.kernel.fit_all(pair, &size));
+            }
+            None => {
+                self.fitted.resize(self.slots, false);
+                self.links.iter_mut().for_each(|l| l.kernel.fit_none(self.slots));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn walk(&mut self, a: &Arrays, p: &mut Particles<'_>) -> Result<(), Trouble> {
+        self.chunk.clear();
+        for r in 0..self.rows.len() {
+            let mut from = 0;
+            while from < self.rows[r].neighbours.len() {
+                from = self.chunk.take(p, &self.rows[r], from, a.row);
+                if self.chunk.is_full() {
+                    self.evaluate(a, p)?;
+                }
+            }
+        }
+        if self.chunk.len() > 0 {
+            self.evaluate(a, p)?;
+        }
+        Ok(())
+    }
+
+    /// The laws over the contacts of the chunk.
+    #[inline(always)]
+    fn evaluate(&mut self, a: &Arrays, p: &mut Particles<'_>) -> Result<(), Trouble> {
+        if !self.chunk.look(p) {
+            return Err(Trouble::NonFinite(self.chunk.non_finite()));
+        }
+        if !self.fitted.is_empty() {
+            self.fit(p)?;
+        }
+        let call = Call { dt: a.dt, step: a.step, update: a.update, is_wall: false };
+        let mut marks = Marks::default();
+        for link in &mut self.links {
+            let bit = 1 << link.meta.kind as i32;
+            match link.kernel.touch(self.chunk.blocks(), &call) {
+                Mark::Set => marks.set |= bit,
+                Mark::Clear => marks.clear |= bit,
+                Mark::Leave => {}
+            }
+        }
+        self.chunk.hand_out(p, a.forced, marks);
+        self.contacts += self.chunk.len() as u64;
+        self.chunk.clear();
+        Ok(())
+    }
+
+    /// Fits for the neighbours of the chunk that have none yet.
+    fn fit(&mut self, p: &Particles<'_>) -> Result<(), Trouble> {
+        for k in 0..self.chunk.len() {
+            let (i, j, slot) = self.chunk.contact(k);
+            if !std::mem::replace(&mut self.fitted[slot], true) {
+                let pair = (p.kind[i] as usize - 1) * self.types + p.kind[j] as usize - 1;
+                let size = size(p, i, j);
+                if !size.meff.is_finite() {
+                    return Err(Trouble::NonFinite(self.chunk.kinematics(k)));
+                }
+                self.links.iter_mut().for_each(|l| l.kernel.fit(slot, pair, &size));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<L: Unit + 'static> Batch for Pass<L> {
+    unsafe fn pass(&mut self, a: &Arrays) -> Result<(), Trouble> {
+        // SAFETY: as the caller promises.
+        let particles = unsafe { a.particles() };
+        let mut p = particles.ok_or(Trouble::Arrays("an array of particles is missing"))?;
+        // SAFETY: as the caller promises.
+        unsafe { self.prepare(a, &p) }?;
+        L::run(
+            #[inline(always)]
+            || self.walk(a, &mut p),
+        )
+    }
+
+    fn contacts(&self) -> u64 {
+        self.contacts
+    }
+
+    fn bytes(&self) -> usize {
+        let kernels: usize = self.links.iter().map(|l| l.kernel.bytes()).sum();
+        kernels + self.fitted.capacity() + self.rows.capacity() * size_of::<Row>() + self.seen.bytes()
+    }
+}

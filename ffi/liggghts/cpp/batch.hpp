@@ -1,0 +1,128 @@
+// All pair contacts of a step in one call: decides whether a step can be run so, and hands LIGGGHTS's arrays over.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef GRANLAW_BATCH_HPP
+#define GRANLAW_BATCH_HPP
+
+#include <set>
+#include "chain.hpp"
+
+extern "C" {
+struct granlaw_batch;
+// LIGGGHTS's own arrays; the other half is Arrays in ffi/lanes/src/arrays.rs, where every field is explained.
+struct granlaw_arrays {
+  const double *x, *v, *omega;
+  double *f, *torque;
+  const double *radius, *mass, *rigid;
+  const int *type, *mask, *tag;
+  const int *ilist, *numneigh;
+  const int *const *neighbours;
+  int *const *flags;
+  double *const *history;
+  size_t rows, all, forced, row;
+  double dt;
+  int64_t step;
+  int32_t frozen;
+  bool update, rebuilt;
+};
+// *out stays NULL where a law of the chain has no lanes.
+granlaw_status granlaw_batch_new(const granlaw_setup *setup, const char *lanes, granlaw_batch **out);
+void granlaw_batch_free(granlaw_batch *batch);
+const char *granlaw_batch_name(const granlaw_batch *batch);
+granlaw_status granlaw_batch_pass(granlaw_batch *batch, const granlaw_arrays *arrays);
+}
+
+namespace granlaw {
+
+class Batch {
+ public:
+  Batch(LAMMPS *lmp, Chain *chain) : lmp_(lmp), chain_(chain), batch_(nullptr), list_(nullptr), built_(-1) {}
+  Batch(const Batch &) = delete;
+  ~Batch() { granlaw_batch_free(batch_); }
+
+  // Once per run, after the chain got its properties.
+  void init() {
+    granlaw_batch_free(batch_);
+    batch_ = nullptr;
+    list_ = nullptr;
+    if (mode().path == Path::contact || !chain_->rust()) return;
+    const granlaw_setup setup = chain_->rust()->setup();
+    if (granlaw_batch_new(&setup, mode().lanes.c_str(), &batch_) != GRANLAW_OK) lmp_->error->all(GRANLAW_HERE, granlaw_last_error());
+  }
+
+  // One pass over all contacts; false where this step must go contact by contact.
+  bool run(PairGran *pair, bool tally, bool local) {
+    if (mode().path == Path::contact) return false;
+    if (const char *why = obstacle(pair, tally, local)) {
+      if (mode().path == Path::batched)
+        lmp_->error->all(GRANLAW_HERE, (std::string("the batched path was asked for and cannot be taken: ") + why).c_str());
+      say(std::string("contact by contact at step ") + std::to_string(lmp_->update->ntimestep) + ", as " + why + " (said once)", why);
+      return false;
+    }
+    say(std::string("batched path, ") + granlaw_batch_name(batch_), "batched");
+    pass(pair);
+    return true;
+  }
+
+ private:
+  // What the batched path does not do, in words; NULL if nothing is in its way.
+  const char *obstacle(PairGran *pair, bool tally, bool local) const {
+    const LAMMPS_NS::Atom *atom = lmp_->atom;
+    LAMMPS_NS::Modify *modify = lmp_->modify;
+    if (chain_->watched()) return "every call is recorded";
+    if (!chain_->rust()) return "a law of the chain is LIGGGHTS's own";
+    if (!batch_) return "a law of the chain takes one contact at a time";
+    if (!atom->radius || !atom->rmass || atom->shapetype_flag) return "particles are not spheres with masses of their own";
+    if (lmp_->neighbor->contactDistanceFactor > 1.0) return "contacts reach beyond the surfaces (contact_distance_factor)";
+    if (!pair->computeflag()) return "forces are only looked at";
+    if (tally) return "the virial or an energy is wanted in this step";
+    if (pair->cpl() && local) return "compute pair/gran/local wants each contact";
+    if (pair->storeContactForces()) return "contact forces are stored";
+    if (pair->storeContactForcesStress()) return "contact forces are stored for a stress";
+    if (pair->storeSumDelta()) return "a multicontact model changes the radii";
+    if (pair->store_sum_normal_force()) return "normal forces are summed";
+    if (modify->n_fixes_style("relax/contacts")) return "fix relax/contacts scales forces";
+    if (modify->n_fixes_style("insert/stream/predefined")) return "fix insert/stream/predefined sets history";
+    return nullptr;
+  }
+
+  void pass(PairGran *pair) {
+    LAMMPS_NS::Atom *atom = lmp_->atom;
+    LAMMPS_NS::NeighList *list = pair->list, *history = pair->listgranhistory;
+    pair->evflag = pair->vflag_fdotr = 0;
+    if (!list->inum) return;
+    const size_t all = static_cast<size_t>(atom->nlocal + atom->nghost);
+    granlaw_arrays a = {};
+    a.x = atom->x[0], a.v = atom->v[0], a.omega = atom->omega[0];
+    a.f = atom->f[0], a.torque = atom->torque[0];
+    a.radius = atom->radius, a.mass = atom->rmass, a.rigid = pair->fr_pair() ? pair->mr_pair() : nullptr;
+    a.type = atom->type, a.mask = atom->mask, a.tag = atom->tag;
+    a.ilist = list->ilist, a.numneigh = list->numneigh, a.neighbours = list->firstneigh;
+    a.flags = history ? history->firstneigh : nullptr, a.history = history ? history->firstdouble : nullptr;
+    a.rows = static_cast<size_t>(list->inum), a.all = all;
+    a.forced = lmp_->force->newton_pair ? all : static_cast<size_t>(atom->nlocal);
+    a.row = static_cast<size_t>(pair->dnum());
+    a.dt = lmp_->update->dt, a.step = static_cast<int64_t>(lmp_->update->ntimestep);
+    a.frozen = pair->freeze_group_bit();
+    a.update = pair->shearupdate();
+    a.rebuilt = lmp_->neighbor->ncalls != built_ || lmp_->neighbor->ago == 0 || list != list_;
+    built_ = lmp_->neighbor->ncalls;
+    list_ = list;
+    if (granlaw_batch_pass(batch_, &a) != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
+  }
+
+  void say(const std::string &text, const char *what) {
+    if (!said_.insert(what).second || lmp_->comm->me != 0) return;
+    for (FILE *out : {lmp_->screen, lmp_->logfile})
+      if (out) fprintf(out, "granlaw: %s\n", text.c_str());
+  }
+
+  LAMMPS *lmp_;
+  Chain *chain_;
+  granlaw_batch *batch_;
+  const LAMMPS_NS::NeighList *list_;
+  LAMMPS_NS::bigint built_;
+  std::set<std::string> said_;
+};
+
+}  // namespace granlaw
+#endif
