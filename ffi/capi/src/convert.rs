@@ -113,10 +113,12 @@ unsafe fn vector(p: *const f64) -> Vector3<f64> {
     unsafe { Vector3::new(*p, *p.add(1), *p.add(2)) }
 }
 
+/// All but the effective mass.
+///
 /// # Safety
 /// The pointers and indices of `s` are valid for the arrays of the pass.
 #[inline(always)]
-pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> Gap {
+unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> Gap {
     // SAFETY: as the caller promises, in this block; a wall has no place in the arrays.
     unsafe {
         let place =
@@ -148,8 +150,15 @@ pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f
             let (x, omega) = (place(s.j), vector(s.omega_j));
             Body { tag: tag(s.j), radius: s.radj, mass: heavy(s.j, mass[1]), x, v: vector(s.v_j), omega }
         };
-        Gap { call: call(pass, s), i, j, delta, rsq: s.rsq, meff: 0.0 }.weighed()
+        Gap { call: call(pass, s), i, j, delta, rsq: s.rsq, meff: 0.0 }
     }
+}
+
+/// # Safety
+/// As [`gap`].
+pub unsafe fn parted(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> Gap {
+    // SAFETY: as the caller promises.
+    unsafe { gap(pass, s, mass) }.weighed()
 }
 
 /// # Safety
@@ -157,7 +166,8 @@ pub unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f
 #[inline(always)]
 pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) -> Contact {
     // SAFETY: as the caller promises.
-    let gap = Gap { meff: s.meff, ..unsafe { gap(pass, &s.close, [s.mi, s.mj]) } };
+    let mut gap = unsafe { gap(pass, &s.close, [s.mi, s.mj]) };
+    gap.meff = s.meff;
     let (roll, crj) = if s.close.is_wall {
         (Vector3::new(s.wr1, s.wr2, s.wr3), 0.0)
     } else {

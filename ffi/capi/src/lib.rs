@@ -165,7 +165,7 @@ pub unsafe extern "C" fn granlaw_surfaces_close(
         };
         let types = convert::types(s, c.chain.types())?;
         // SAFETY: the gap's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
-        let x = unsafe { convert::gap(&c.pass, s, [mi, mj]) };
+        let x = unsafe { convert::parted(&c.pass, s, [mi, mj]) };
         let mut stage = convert::stage(s, fi, fj);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.contact_history, c.chain.row()) }?;

@@ -224,7 +224,7 @@ class Segment {
  public:
   // `parent` is the PairGran or FixWallGran that the contacts come from.
   Segment(LAMMPS *lmp, IContactHistorySetup *parent)
-      : lmp_(lmp), pair_(dynamic_cast<PairGran *>(parent)), chain_(nullptr) {}
+      : lmp_(lmp), pair_(dynamic_cast<PairGran *>(parent)), wall_(dynamic_cast<FixWallGran *>(parent)), chain_(nullptr) {}
   Segment(const Segment &) = delete;
   ~Segment() { granlaw_free(chain_); }
 
@@ -242,7 +242,9 @@ class Segment {
     granlaw_free(chain_);
     types_ = static_cast<size_t>(registry.max_type());
     const granlaw_setup all = setup();
-    if (granlaw_prepare(&all, &chain_) != GRANLAW_OK) lmp_->error->all(GRANLAW_HERE, granlaw_last_error());
+    if (granlaw_prepare(&all, &chain_) == GRANLAW_OK) return;
+    const std::string who = wall_ ? std::string("fix ") + wall_->id + " wall/gran: " : "pair_style gran: ";
+    lmp_->error->all(GRANLAW_HERE, (who + granlaw_last_error()).c_str());
   }
   // Good until the properties are read again.
   granlaw_setup setup() const { return granlaw_setup{choices_.data(), choices_.size(), types_, lmp_->force->nktv2p}; }
@@ -276,6 +278,7 @@ class Segment {
 
   LAMMPS *lmp_;
   PairGran *pair_;
+  FixWallGran *wall_;
   granlaw_chain *chain_;
   size_t types_ = 0;
   std::vector<granlaw_choice> choices_;

@@ -3,7 +3,7 @@ use granlaw::law::{Gap, Settings, Surface};
 use granlaw::laws::LAWS;
 use granlaw::trace::{Handed, Header, LawSpec, Particle, Property, Row, TraceError, Writer};
 use granlaw_capi::abi::{granlaw_force_data, granlaw_pass, granlaw_status, granlaw_surfaces_intersect_data};
-use granlaw_capi::convert::{contact, gap, settings, slice};
+use granlaw_capi::convert::{contact, parted, settings, slice};
 use granlaw_capi::status::{boundary, Failure};
 use nalgebra::Vector3;
 use std::ffi::{c_char, CStr};
@@ -230,7 +230,7 @@ unsafe fn row(c: &RecordedCall, n: usize) -> Row {
         (x.gap, x.surface, handed)
     } else {
         // SAFETY: as above.
-        (unsafe { gap(pass, &s.close, [c.mi, c.mj]) }, Surface::default(), Handed::default())
+        (unsafe { parted(pass, &s.close, [c.mi, c.mj]) }, Surface::default(), Handed::default())
     };
     Row {
         computeflag: s.close.computeflag,
