@@ -87,6 +87,15 @@ template struct Opener<&Settings::settings>;
 std::map<std::string, Setting *> &opened(Settings &settings);
 inline std::map<std::string, Setting *> &Words::table(Settings &settings) { return opened(settings); }
 
+// Stops the run from within the contact loop, where ranks are on their own. LIGGGHTS would lose the message: it prints on
+// the first rank only, and MPI_Abort drops what standard output still holds.
+inline void stop(LAMMPS *lmp, const char *text) {
+  if (lmp->logfile) fprintf(lmp->logfile, "ERROR: %s\n", text), fflush(lmp->logfile);
+  if (lmp->screen) setvbuf(lmp->screen, nullptr, _IOLBF, 0);
+  else fprintf(stderr, "ERROR on proc %d: %s\n", lmp->comm->me, text);
+  lmp->error->one(GRANLAW_HERE, text);
+}
+
 // One law with what the deck says of it.
 class Law {
  public:
@@ -273,7 +282,7 @@ class Segment {
 
  private:
   void check(granlaw_status status) {
-    if (status != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
+    if (status != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
 
   LAMMPS *lmp_;

@@ -148,7 +148,7 @@ class Watch {
   }
 
   void check(granlaw_status status) {
-    if (status != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
+    if (status != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
 
   LAMMPS *lmp_;
