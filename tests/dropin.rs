@@ -3,7 +3,7 @@
 #[path = "built/mod.rs"]
 mod built;
 
-use built::{built, has, here, must, said, source};
+use built::{alone, built, has, here, must, said, source};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -118,7 +118,7 @@ fn run(program: &Path, deck: &str) -> (String, TempDir) {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("deck.in"), deck).unwrap();
     fs::copy(source().join("liggghts_inputs/plane.stl"), dir.path().join("plane.stl")).unwrap();
-    let out = Command::new(program).args(["-in", "deck.in"]).current_dir(dir.path()).output().unwrap();
+    let out = alone(program, dir.path()).args(["-in", "deck.in"]).output().unwrap();
     assert!(out.status.success(), "{}", said(&out));
     (fs::read_to_string(dir.path().join("dump.txt")).expect("the deck writes dump.txt"), dir)
 }
@@ -239,7 +239,7 @@ fn refusals_reach_the_user() {
         assert!(deck.contains(from), "the deck has no {from:?} to change");
         let dir = tempfile::tempdir().unwrap();
         fs::write(dir.path().join("deck.in"), deck.replace(from, to)).unwrap();
-        let out = Command::new(host()).args(["-in", "deck.in"]).current_dir(dir.path()).output().unwrap();
+        let out = alone(host(), dir.path()).args(["-in", "deck.in"]).output().unwrap();
         assert_eq!(out.status.code(), Some(1), "{}", said(&out));
         assert!(said(&out).contains("ERROR") && said(&out).contains(said_so), "{}", said(&out));
     }

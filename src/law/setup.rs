@@ -144,7 +144,11 @@ impl Settings {
         self.meta.settings.iter().zip(&self.picked).filter_map(|(s, p)| p.map(|k| (s.name, s.options[k])))
     }
 
-    fn check(&self) -> Result<(), LawError> {
+    /// Whether every setting has an option, and one that the law does.
+    ///
+    /// # Errors
+    /// The first setting that is refused or was not chosen.
+    pub fn check(&self) -> Result<(), LawError> {
         let law = || self.meta.called(self.taken_over);
         for (s, p) in self.meta.settings.iter().zip(&self.picked) {
             match p {

@@ -71,7 +71,9 @@ static void deck_faults(void) {
   EXPECT_REFUSED(prepare(), GRANLAW_REFUSED, "history/rs: coefficientFriction = -0.5 (types 2-2) must be at least 0");
   deck[4].values[3] = 0.5;
   hooke_options[setting(choices[0].law, "computeElasticPotential")] = 1;
+  EXPECT_REFUSED(granlaw_check_settings(choices[0].law, false, hooke_options), GRANLAW_REFUSED, "computeElasticPotential on is not supported");
   EXPECT_REFUSED(prepare(), GRANLAW_REFUSED, "hooke/rs: setting computeElasticPotential on is not supported");
+  EXPECT(granlaw_check_settings(choices[0].law, false, hooke_options) == GRANLAW_OK);
 }
 
 static void contacts(void) {

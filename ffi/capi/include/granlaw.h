@@ -107,6 +107,9 @@ const granlaw_law *granlaw_law_at(size_t law);
 /* Whether property `prop` must be given when the settings stand at `options` (one index per setting, -1: default). */
 bool granlaw_needs_property(size_t law, bool taken_over, const int32_t *options, size_t prop);
 
+/* Whether the law does what the settings ask for, before its properties are known; granlaw_prepare checks it again. */
+granlaw_status granlaw_check_settings(size_t law, bool taken_over, const int32_t *options);
+
 /* ---- prepare ---- */
 
 /* One law of a chain, with what the deck says of it. */

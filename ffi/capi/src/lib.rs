@@ -69,6 +69,19 @@ pub unsafe extern "C" fn granlaw_needs_property(
 }
 
 #[no_mangle]
+pub unsafe extern "C" fn granlaw_check_settings(
+    law: usize,
+    taken_over: bool,
+    options: *const i32,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives one option per setting of that law, or NULL.
+        let settings = unsafe { convert::settings(law, taken_over, options) }?;
+        settings.check().map_err(|e| Failure::refused(e.to_string()))
+    })
+}
+
+#[no_mangle]
 pub unsafe extern "C" fn granlaw_prepare(
     setup: *const granlaw_setup,
     out: *mut *mut granlaw_chain,

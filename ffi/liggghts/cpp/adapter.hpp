@@ -136,6 +136,15 @@ class Law {
     }
   }
 
+  // Refuses what is switched on and not done here. LIGGGHTS calls postSettings even when it did not understand the
+  // settings, so what the deck has yet to choose is left to granlaw_prepare.
+  void refuseSettings() {
+    for (size_t k = 0; k < d_.n_settings; k++)
+      if (d_.settings[k].support == GRANLAW_SUPPORT_REFUSED && options_[k] > 0 &&
+          granlaw_check_settings(index_, taken_over_, options_.data()) != GRANLAW_OK)
+        lmp_->error->all(GRANLAW_HERE, granlaw_last_error());
+  }
+
   void connectToProperties(PropertyRegistry &registry) {
     if (!d_.coarse_graining && lmp_->force->cg_active())
       lmp_->error->cg(GRANLAW_HERE, (std::string("model ") + name()).c_str());

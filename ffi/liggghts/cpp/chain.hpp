@@ -42,6 +42,7 @@ class Chain : public ContactModelBase {
     watch_.registerSettings(settings);
   }
   void postSettings(IContactHistorySetup *) {
+    for (auto &link : links_) link->refuseSettings();  // before LIGGGHTS prepares for what is refused
     surface_.postSettings(&slots_, this);
     for (auto &link : links_) link->postSettings(&slots_, this);
     watch_.postSettings();

@@ -15,7 +15,7 @@ class DropIn : public Base {
       : Base(lmp, history, c), segment_(lmp, history), law_(segment_.add(history, index(lmp), false)) {}
 
   void registerSettings(Settings &settings) { law_.registerSettings(settings); }
-  void postSettings(IContactHistorySetup *, LIGGGHTS::ContactModels::ContactModelBase *) { law_.postSettings(); }
+  void postSettings(IContactHistorySetup *, LIGGGHTS::ContactModels::ContactModelBase *) { law_.postSettings(), law_.refuseSettings(); }
   void connectToProperties(PropertyRegistry &registry) { segment_.connectToProperties(registry); }
   double stressStrainExponent() { return law_.descriptor().stress_strain_exponent; }
 

@@ -27,6 +27,7 @@ class Slots : public IContactHistorySetup {
 struct Link {
   virtual ~Link() {}
   virtual void registerSettings(Settings &) = 0;
+  virtual void refuseSettings() {}
   virtual void postSettings(IContactHistorySetup *, ContactModelBase *) = 0;
   virtual void connectToProperties(PropertyRegistry &) = 0;
   virtual void beginPass(SurfacesIntersectData &, ForceData &, ForceData &) = 0;
@@ -69,9 +70,10 @@ struct RustLink : Link {
   void registerSettings(Settings &s) {
     for (const auto &law : segment.laws()) law->registerSettings(s);
   }
-  void postSettings(IContactHistorySetup *, ContactModelBase *) {
-    for (const auto &law : segment.laws()) law->postSettings();
+  void refuseSettings() {
+    for (const auto &law : segment.laws()) law->postSettings(), law->refuseSettings();
   }
+  void postSettings(IContactHistorySetup *, ContactModelBase *) {}
   void connectToProperties(PropertyRegistry &r) { segment.connectToProperties(r); }
   void beginPass(SurfacesIntersectData &, ForceData &, ForceData &) { segment.beginPass(); }
   void endPass(SurfacesIntersectData &, ForceData &, ForceData &) { segment.endPass(); }
