@@ -80,6 +80,22 @@ impl Chain {
         self.run(h, s, |kernel, h, s| kernel.touch(x, h, s))
     }
 
+    /// As [`Chain::touch`]; `each` sees what is handed along after every law, told by its place in the chain.
+    pub fn touch_each(
+        &mut self,
+        types: (usize, usize),
+        x: &Contact,
+        h: &mut [f64],
+        s: &mut Stage,
+        mut each: impl FnMut(usize, &Stage),
+    ) {
+        self.fit(types, &x.gap);
+        for (k, link) in self.links.iter().enumerate() {
+            link.kernel.touch(x, &mut h[link.slots.clone()], s);
+            each(k, s);
+        }
+    }
+
     /// They do not.
     pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Marks {
         self.fit(types, x);
@@ -114,7 +130,22 @@ impl Chain {
 
     /// What each law can tell of the contact before it is evaluated.
     pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Vec<Terms> {
+        let mut terms = Vec::with_capacity(self.links.len());
+        self.observe_each(types, x, h, |_, t| terms.push(t));
+        terms
+    }
+
+    /// As [`Chain::observe`], without a list: `each` gets what every law tells, with its place in the chain.
+    pub fn observe_each(
+        &mut self,
+        types: (usize, usize),
+        x: &Contact,
+        h: &[f64],
+        mut each: impl FnMut(usize, Terms),
+    ) {
         self.fit(types, &x.gap);
-        self.links.iter().map(|l| l.kernel.observe(x, &h[l.slots.clone()])).collect()
+        for (k, link) in self.links.iter().enumerate() {
+            each(k, link.kernel.observe(x, &h[link.slots.clone()]));
+        }
     }
 }

@@ -52,6 +52,8 @@ pub struct Preload<'a> {
     pub record: Option<PathBuf>,
     /// Every how many steps they are.
     pub every: u64,
+    /// Where a probe of the contacts is written, if it is.
+    pub probe: Option<PathBuf>,
     /// File name of the deck, for the traces.
     pub deck: Option<String>,
     /// How the pair style goes through its contacts; without it, batched where possible.
@@ -74,6 +76,7 @@ impl Preload<'_> {
         }
         let route = self.route.map(|r| if r == Route::Batched { "batched" } else { "contact" });
         env.extend(route.map(|r| ("GRANLAW_PATH", r.into())));
+        env.extend(self.probe.iter().map(|p| ("GRANLAW_PROBE", p.display().to_string())));
         env.extend(self.deck.iter().map(|d| ("GRANLAW_DECK", d.clone())));
         env
     }
@@ -196,7 +199,9 @@ fn listed(root: &Path) -> Result<HashMap<PathBuf, (u64, Option<SystemTime>)>, Ru
 /// A command that this process becomes or starts, free of what a plugin in our own environment would leave in it.
 fn clean(program: &Path) -> Command {
     let mut command = Command::new(program);
-    for name in ["LD_PRELOAD", "GRANLAW_LAWS", "GRANLAW_RECORD", "GRANLAW_EVERY", "GRANLAW_DECK"] {
+    for name in
+        ["LD_PRELOAD", "GRANLAW_LAWS", "GRANLAW_RECORD", "GRANLAW_EVERY", "GRANLAW_PROBE", "GRANLAW_DECK"]
+    {
         command.env_remove(name);
     }
     command

@@ -254,4 +254,7 @@ pub struct Terms {
     pub stored: f64,
     /// Power that it takes out of the motion now \[W\].
     pub dissipated: f64,
+    /// How far the law's own limit is used, for instance δmax/δlim or the stress of a bond over its strength; 0 where
+    /// it has none.
+    pub load: f64,
 }

@@ -134,6 +134,7 @@ impl Law for Hertz {
             damping,
             stored: 0.4 * secant * x.surface.deltan * x.surface.deltan,
             dissipated: damping * x.surface.vn * x.surface.vn,
+            load: 0.0,
         }
     }
 }

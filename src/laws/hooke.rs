@@ -163,6 +163,7 @@ impl Law for Hooke {
             damping: fit.gamman,
             stored: 0.5 * fit.kn * x.surface.deltan * x.surface.deltan,
             dissipated: fit.gamman * x.surface.vn * x.surface.vn,
+            load: 0.0,
         }
     }
 }

@@ -216,7 +216,14 @@ impl Law for HookeHysteresis {
         // What comes back along k2 until the force vanishes.
         let stored = if force > 0.0 && k2 > 0.0 { 0.5 * force * force / k2 } else { 0.0 };
         let dissipated = fit.gamman * x.surface.vn * x.surface.vn;
-        Terms { branch: name, stiffness, damping: fit.gamman, stored, dissipated }
+        Terms {
+            branch: name,
+            stiffness,
+            damping: fit.gamman,
+            stored,
+            dissipated,
+            load: if delta_max > 0.0 { delta_max / fit.delta_lim } else { 0.0 },
+        }
     }
 }
 

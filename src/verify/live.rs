@@ -100,6 +100,7 @@ impl Trial<'_> {
             laws,
             record: record.then(Folder::record),
             every: deck.every,
+            probe: None,
             deck: Some(deck.file()),
             route: None,
         };

@@ -20,6 +20,7 @@ struct Mode {
   std::string lanes;   // how many contacts go side by side, empty for as many as the processor can
   std::string record;  // path of the trace, empty for none
   uint64_t every = 1;
+  std::string probe;  // path of the probe, empty for none
   std::string deck;
   std::string trouble;  // what is wrong with the environment
 };
@@ -41,6 +42,7 @@ inline const Mode &mode() {
     else if (!path.empty()) m.trouble = "GRANLAW_PATH=" + path + " must be batched or contact";
     m.lanes = get("GRANLAW_LANES");
     m.record = get("GRANLAW_RECORD");
+    m.probe = get("GRANLAW_PROBE");
     m.deck = get("GRANLAW_DECK");
     const std::string every = get("GRANLAW_EVERY");
     if (!every.empty()) {

@@ -1,9 +1,10 @@
-// Sees every call of a chain and writes it down when recording is asked for. SPDX-License-Identifier: GPL-2.0-or-later
+// Sees every call of a chain: writes it down, or counts it, when that is asked for. SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef GRANLAW_WATCH_HPP
 #define GRANLAW_WATCH_HPP
 
 #include <set>
 #include "modes.hpp"
+#include "probe.hpp"
 #include "recorder.hpp"
 
 namespace granlaw {
@@ -18,8 +19,8 @@ struct NoSlots : IContactHistorySetup {
 class Watch {
  public:
   Watch(LAMMPS *lmp, IContactHistorySetup *parent, bool is_wall)
-      : lmp_(lmp), pair_(is_wall ? nullptr : dynamic_cast<PairGran *>(parent)), on_(!mode().record.empty()),
-        who_("pair"), recorder_(nullptr), begun_(false), n_(0) {
+      : lmp_(lmp), pair_(is_wall ? nullptr : dynamic_cast<PairGran *>(parent)), recording_(!mode().record.empty()),
+        probe_(Probe::of(lmp)), on_(recording_ || probe_), who_("pair"), recorder_(nullptr), begun_(false), n_(0) {
     if (FixWallGran *wall = is_wall ? dynamic_cast<FixWallGran *>(parent) : nullptr) who_ = std::string("wall ") + wall->id;
   }
   Watch(const Watch &) = delete;
@@ -57,16 +58,27 @@ class Watch {
   void begin() {
     if (!on_) return;
     look();
-    start(true);
+    if (probe_) probe_->begin(pass_);
+    if (recording_) start(true);
+  }
+  void before(SurfacesIntersectData &s) {
+    if (!on_) return;
+    if (s.is_wall) look();
+    followed_ = probe_ && mine(s) && probe_->sees(probed_, pass_, s);
+    if (recording_ || followed_) keep(s);
   }
   void before(SurfacesCloseData &s) {
-    if (on_ && n_ && s.contact_history) std::copy(s.contact_history, s.contact_history + n_, before_.begin());
+    if (recording_) keep(s);
   }
   void touched(SurfacesIntersectData &s, ForceData &i, ForceData &j) {
-    if (on_) write(s, true, i, j);
+    if (!on_ || !mine(s)) return;
+    if (probe_) probe_->touched(probed_, pass_, followed_, before_.data(), s, i, j);
+    if (recording_) write(s, true, i, j);
   }
   void parted(SurfacesCloseData &s, ForceData &i, ForceData &j) {
-    if (!on_) return;
+    if (!recording_) return;
+    if (s.is_wall) look();
+    if (!mine(s)) return;
     s.omega_i = lmp_->atom->omega[s.i];
     if (!s.is_wall) s.omega_j = lmp_->atom->omega[s.j];
     // LIGGGHTS hands the larger struct through a reference to its base.
@@ -82,6 +94,10 @@ class Watch {
     size_t at;
   };
 
+  void keep(const SurfacesCloseData &s) {
+    if (n_ && s.contact_history) std::copy(s.contact_history, s.contact_history + n_, before_.begin());
+  }
+
   void look() { pass_ = pass_of(lmp_, pair_); }
 
   // A contact that two ranks see is written by the one that owns the lower tag.
@@ -91,8 +107,7 @@ class Watch {
   }
 
   void write(SurfacesIntersectData &s, bool touch, ForceData &i, ForceData &j) {
-    if (s.is_wall) look();
-    if (pass_.step % static_cast<int64_t>(mode().every) || !mine(s)) return;
+    if (pass_.step % static_cast<int64_t>(mode().every)) return;
     start(false);
     const double *after = n_ && s.contact_history ? s.contact_history : before_.data();
     const double mi = mass(lmp_, pair_, s.i), mj = s.is_wall ? 0.0 : mass(lmp_, pair_, s.j);
@@ -125,12 +140,13 @@ class Watch {
     }
     std::vector<const char *> names;
     for (const std::string &s : slots) names.push_back(s.c_str());
-    const std::string path = recorder_ ? "" : path_of();
+    const std::string path = recorder_ || !recording_ ? "" : path_of();
     const granlaw_recorded_chain chain = {
         path.c_str(), lmp_->universe->version, mode().deck.c_str(), lmp_->update->unit_style, who_.c_str(),
         lmp_->comm->me, lmp_->comm->nprocs, mode().every, static_cast<size_t>(types), lmp_->force->nktv2p,
         lmp_->update->dt, laws.data(), laws.size(), names.data(), names.size()};
-    check(recorder_ ? granlaw_record_again(recorder_, &chain) : granlaw_record_open(&chain, &recorder_));
+    if (probe_) probed_ = probe_->chain(chain);
+    if (recording_) check(recorder_ ? granlaw_record_again(recorder_, &chain) : granlaw_record_open(&chain, &recorder_));
   }
 
   // trace.csv for the pair style, trace.wall-ID.csv for a wall fix, .rankN on ranks, .2 for a second of the same name.
@@ -153,6 +169,10 @@ class Watch {
 
   LAMMPS *lmp_;
   PairGran *pair_;
+  bool recording_;
+  Probe *probe_;
+  size_t probed_ = 0;  // this chain among those of the probe
+  bool followed_ = false;  // whether the probe wants the contact at hand
   bool on_;
   std::string who_;
   granlaw_recorder *recorder_;

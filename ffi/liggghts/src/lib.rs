@@ -5,6 +5,7 @@
 pub use granlaw_capi::*;
 
 mod batch;
+mod probe;
 mod recorder;
 
 #[cfg(liggghts)]

@@ -50,27 +50,27 @@ pub struct RecordedChain {
 
 #[repr(C)]
 pub struct RecordedParticles {
-    n: usize,
-    tag: *const i32,
-    kind: *const i32,
-    radius: *const f64,
-    mass: *const f64,
-    x: *const f64,
-    v: *const f64,
-    omega: *const f64,
+    pub(crate) n: usize,
+    pub(crate) tag: *const i32,
+    pub(crate) kind: *const i32,
+    pub(crate) radius: *const f64,
+    pub(crate) mass: *const f64,
+    pub(crate) x: *const f64,
+    pub(crate) v: *const f64,
+    pub(crate) omega: *const f64,
 }
 
 #[repr(C)]
 pub struct RecordedCall {
-    pass: *const granlaw_pass,
-    contact: *const granlaw_surfaces_intersect_data,
-    touch: bool,
-    mi: f64,
-    mj: f64,
-    before: *const f64,
-    after: *const f64,
-    i_forces: *const granlaw_force_data,
-    j_forces: *const granlaw_force_data,
+    pub(crate) pass: *const granlaw_pass,
+    pub(crate) contact: *const granlaw_surfaces_intersect_data,
+    pub(crate) touch: bool,
+    pub(crate) mi: f64,
+    pub(crate) mj: f64,
+    pub(crate) before: *const f64,
+    pub(crate) after: *const f64,
+    pub(crate) i_forces: *const granlaw_force_data,
+    pub(crate) j_forces: *const granlaw_force_data,
 }
 
 fn failed(e: TraceError) -> Failure {
@@ -79,7 +79,7 @@ fn failed(e: TraceError) -> Failure {
 
 /// # Safety
 /// `s` is a C string or NULL.
-unsafe fn text(s: *const c_char) -> String {
+pub(crate) unsafe fn text(s: *const c_char) -> String {
     if s.is_null() {
         return String::new();
     }
@@ -89,7 +89,7 @@ unsafe fn text(s: *const c_char) -> String {
 
 /// # Safety
 /// Pointers and lengths of `c` belong together.
-unsafe fn header(c: &RecordedChain) -> Result<Header, Failure> {
+pub(crate) unsafe fn header(c: &RecordedChain) -> Result<Header, Failure> {
     // SAFETY: as the caller promises, in this block.
     unsafe {
         let laws = slice(c.laws, c.n_laws).iter().map(|l| law(l, c.types)).collect::<Result<_, _>>()?;

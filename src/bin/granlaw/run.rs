@@ -15,6 +15,7 @@ use std::process::ExitCode;
   granlaw run --laws rust -- -in deck.in           any deck, on the Rust laws
   granlaw run --laws stock --record calls.trace -- -in deck.in
                                                    LIGGGHTS's own laws, every contact call recorded
+  granlaw run --probe scene.json -- -in deck.in    what the contacts of a scene do
   granlaw run --laws rust --np 4 -- -in deck.in    on four MPI ranks")]
 pub struct Args {
     /// Whose laws answer to the stock names.
@@ -30,6 +31,9 @@ pub struct Args {
     /// How the pair style goes through the contacts of a step. Without it: batched where that is possible.
     #[arg(long, value_enum)]
     path: Option<Way>,
+    /// Count what the contacts do, and write it to this file as JSON; the laws are those of --laws, by default LIGGGHTS's own.
+    #[arg(long, value_name = "FILE")]
+    probe: Option<PathBuf>,
     /// Run on N MPI ranks, with mpirun.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     np: u64,
@@ -58,13 +62,16 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let deck = deck(&args.liggghts)?;
     let plugin = Plugin::find()?;
     let host = Host::find()?;
-    if let Some(path) = &args.record {
+    for (option, path) in [("--record", &args.record), ("--probe", &args.probe)] {
+        let Some(path) = path else { continue };
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         if !folder.is_dir() {
-            bail!("--record {}: there is no folder {}; make it first", path.display(), folder.display());
+            bail!("{option} {}: there is no folder {}; make it first", path.display(), folder.display());
         }
     }
     let laws = match args.laws {
+        // A probe sees stock laws only where they run in our chain.
+        None if args.probe.is_some() => Laws::Stock,
         None => Laws::Own,
         Some(Whose::Rust) => Laws::Rust,
         Some(Whose::Stock) => Laws::Stock,
@@ -74,8 +81,15 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         Way::Contact => Route::Contact,
     });
     eprintln!("granlaw: plugin {}", plugin.path.display());
-    let preload =
-        Preload { plugin: &plugin, laws, record: args.record.clone(), every: args.every, deck, route };
+    let preload = Preload {
+        plugin: &plugin,
+        laws,
+        record: args.record.clone(),
+        every: args.every,
+        probe: args.probe.clone(),
+        deck,
+        route,
+    };
     let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
     command.args(&args.liggghts);
     // This process becomes LIGGGHTS, so that no signal or status can be lost on the way.

@@ -1,0 +1,174 @@
+//! Counts what the C++ half sees of all chains. The structs are those of `cpp/recorder.hpp` and `cpp/probe.hpp`.
+use crate::recorder::{header, text, RecordedCall, RecordedChain, RecordedParticles};
+use granlaw::probe::{Call, Particles, Probe, Session};
+use granlaw::trace::Handed;
+use granlaw_capi::abi::{granlaw_pass, granlaw_status, granlaw_surfaces_close_data};
+use granlaw_capi::convert::{contact, slice};
+use granlaw_capi::status::{boundary, Failure};
+use std::ffi::c_char;
+use std::path::Path;
+
+#[repr(C)]
+pub struct Text {
+    bytes: *const u8,
+    length: usize,
+}
+
+/// What this rank has seen; empty once it is packed.
+#[derive(Default)]
+pub struct Probing {
+    session: Option<Session>,
+    /// The number of history slots of each chain.
+    slots: Vec<usize>,
+}
+
+fn over() -> Failure {
+    Failure::misuse("the probe is packed already")
+}
+
+#[no_mangle]
+extern "C" fn granlaw_probe_new() -> *mut Probing {
+    Box::into_raw(Box::new(Probing { session: Some(Session::default()), slots: Vec::new() }))
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_chain(
+    p: *mut Probing,
+    c: *const RecordedChain,
+    out: *mut usize,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (p, header, out) = unsafe { (&mut *p, header(&*c)?, &mut *out) };
+        let slots = header.slots.len();
+        *out = p.session.as_mut().ok_or_else(over)?.chain(header);
+        p.slots.resize(p.slots.len().max(*out + 1), 0);
+        p.slots[*out] = slots;
+        Ok(())
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_tick(p: *mut Probing, pass: *const granlaw_pass) -> bool {
+    // SAFETY: the C++ half gives valid pointers.
+    let (p, pass) = unsafe { (&mut *p, &*pass) };
+    p.session.as_mut().is_some_and(|s| s.tick(pass.step, pass.dt))
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_sample(
+    p: *mut Probing,
+    step: i64,
+    of: *const RecordedParticles,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers; the arrays have n particles.
+        let (p, of) = unsafe { (&mut *p, &*of) };
+        // SAFETY: as above.
+        let particles = unsafe {
+            let n = of.n;
+            Particles {
+                mass: slice(of.mass, n),
+                radius: slice(of.radius, n),
+                x: slice(of.x, 3 * n),
+                v: slice(of.v, 3 * n),
+                omega: slice(of.omega, 3 * n),
+            }
+        };
+        p.session.as_mut().ok_or_else(over)?.sample(step, &particles);
+        Ok(())
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_sees(
+    p: *mut Probing,
+    chain: usize,
+    pass: *const granlaw_pass,
+    s: *const granlaw_surfaces_close_data,
+) -> bool {
+    // SAFETY: the C++ half gives valid pointers.
+    let (p, pass, s) = unsafe { (&mut *p, &*pass, &*s) };
+    // SAFETY: i and j are places in LIGGGHTS's arrays; a wall has none.
+    let tag = |k: i32| unsafe { i64::from(*pass.tag.add(k as usize)) };
+    let tags = (tag(s.i), if s.is_wall { -1 - i64::from(s.j.max(0)) } else { tag(s.j) });
+    p.session.as_mut().is_some_and(|session| session.follower(chain).sees(tags))
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_call(
+    p: *mut Probing,
+    chain: usize,
+    c: *const RecordedCall,
+    place: usize,
+    followed: bool,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (p, c) = unsafe { (&mut *p, &*c) };
+        // SAFETY: as above.
+        let (pass, s, fi, fj) = unsafe { (&*c.pass, &*c.contact, &*c.i_forces, &*c.j_forces) };
+        let close = &s.close;
+        let follower = p.session.as_mut().ok_or_else(over)?.follower(chain);
+        let force = fi.delta_F.into();
+        let update = close.computeflag != 0 && close.shearupdate != 0;
+        if close.is_wall && update {
+            follower.pushed(&force, pass.dt);
+        }
+        if !followed || !update {
+            return Ok(());
+        }
+        // SAFETY: the contact is LIGGGHTS's own and matches the pass; the history has as many numbers as slots.
+        let (x, before) = unsafe { (contact(pass, s), slice(c.before, p.slots[chain])) };
+        follower.touched(&Call {
+            types: (close.itype as usize - 1, close.jtype as usize - 1),
+            contact: &x,
+            place,
+            share: if close.is_wall { close.area_ratio } else { 1.0 },
+            before,
+            handed: Handed { fn_: s.Fn, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat },
+            force,
+            torque_i: fi.delta_torque.into(),
+            torque_j: fj.delta_torque.into(),
+        });
+        Ok(())
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_pack(p: *mut Probing, out: *mut Text) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (p, out) = unsafe { (&mut *p, &mut *out) };
+        let probe = p.session.take().ok_or_else(over)?.finish();
+        let text = serde_json::to_vec(&probe).map_err(|e| Failure::refused(format!("the probe: {e}")))?;
+        // The process is about to end.
+        let text: &'static [u8] = text.leak();
+        *out = Text { bytes: text.as_ptr(), length: text.len() };
+        Ok(())
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_write(
+    path: *const c_char,
+    ranks: *const Text,
+    n: usize,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives a C string and as many texts as ranks.
+        let (path, texts) = unsafe { (text(path), slice(ranks, n)) };
+        let mut whole: Option<Probe> = None;
+        for t in texts {
+            // SAFETY: as above.
+            let probe: Probe = serde_json::from_slice(unsafe { slice(t.bytes, t.length) })
+                .map_err(|e| Failure::refused(format!("the probe of a rank: {e}")))?;
+            match &mut whole {
+                Some(w) => w.merge(probe),
+                None => whole = Some(probe),
+            }
+        }
+        let whole = whole.ok_or_else(|| Failure::misuse("no rank"))?;
+        whole.write(Path::new(&path)).map_err(|e| Failure::refused(e.to_string()))
+    })
+}

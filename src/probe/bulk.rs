@@ -1,0 +1,121 @@
+//! What a scene does as a whole, at up to [`SAMPLES`] moments however long it runs.
+use serde::{Deserialize, Serialize};
+
+/// When there are so many samples, every second one is dropped, and from then on they are taken half as often.
+pub const SAMPLES: usize = 512;
+
+/// The scene over time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bulk {
+    /// The wall fixes, in the order of [`Sample::walls`].
+    pub walls: Vec<String>,
+    /// The moments, evenly spaced in steps.
+    pub samples: Vec<Sample>,
+}
+
+/// A moment, before the contact forces of its step. Sums since the first step can be thinned without loss: their
+/// differences are means over the time between.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sample {
+    /// Number of the step.
+    pub step: i64,
+    /// Time since the first step \[s\].
+    pub time: f64,
+    /// Particles.
+    pub particles: u64,
+    /// Their mass \[kg\].
+    pub mass: f64,
+    /// Their kinetic energy without spin \[J\].
+    pub kinetic: f64,
+    /// That of their spin \[J\].
+    pub rotational: f64,
+    /// Sum of mass times position \[kg m\]; over the mass it is the centre.
+    pub moment: [f64; 3],
+    /// Contact calls between particles since the first step: over the steps, the number of contacts.
+    pub contacts: u64,
+    /// Momentum that each wall fix has handed to the particles since the first step \[N s\].
+    pub walls: Vec<[f64; 3]>,
+}
+
+/// Takes the samples.
+#[derive(Clone, Debug)]
+pub(super) struct Clock {
+    pub time: f64,
+    last: Option<i64>,
+    next: i64,
+    every: i64,
+}
+
+impl Default for Clock {
+    fn default() -> Clock {
+        Clock { time: 0.0, last: None, next: i64::MIN, every: 1 }
+    }
+}
+
+impl Clock {
+    /// A step begins. The result is whether a sample is due.
+    pub fn tick(&mut self, step: i64, dt: f64) -> bool {
+        if let Some(last) = self.last {
+            self.time += (step - last).max(0) as f64 * dt;
+            // The deck may have set the number of the step back.
+            if step < last {
+                self.next = step;
+            }
+        }
+        let due = step >= self.next && self.last != Some(step);
+        self.last = Some(step);
+        if due {
+            self.next = step + self.every;
+        }
+        due
+    }
+
+    pub fn slower(&mut self) {
+        self.every *= 2;
+    }
+}
+
+impl Bulk {
+    pub(super) fn add(&mut self, sample: Sample, clock: &mut Clock) {
+        self.samples.push(sample);
+        if self.samples.len() >= SAMPLES {
+            let mut k = 0;
+            self.samples.retain(|_| {
+                k += 1;
+                k % 2 == 1
+            });
+            clock.slower();
+        }
+    }
+
+    /// Adds what another rank saw. All ranks take the same steps, and so the same samples.
+    pub(super) fn merge(&mut self, other: Bulk) {
+        for (k, wall) in other.walls.iter().enumerate() {
+            let at = self.wall(wall);
+            for (a, b) in self.samples.iter_mut().zip(&other.samples) {
+                (0..3).for_each(|d| a.walls[at][d] += b.walls.get(k).map_or(0.0, |w| w[d]));
+            }
+        }
+        for (a, b) in self.samples.iter_mut().zip(other.samples) {
+            a.particles += b.particles;
+            a.mass += b.mass;
+            a.kinetic += b.kinetic;
+            a.rotational += b.rotational;
+            (0..3).for_each(|d| a.moment[d] += b.moment[d]);
+            a.contacts += b.contacts;
+        }
+    }
+
+    /// The place of a wall; a new one is entered with nothing in all samples so far.
+    pub(super) fn wall(&mut self, name: &str) -> usize {
+        let at = self.walls.iter().position(|w| w == name).unwrap_or(self.walls.len());
+        if at == self.walls.len() {
+            self.walls.push(name.to_string());
+        }
+        let n = self.walls.len();
+        self.samples.iter_mut().for_each(|s| s.walls.resize(n, [0.0; 3]));
+        at
+    }
+}

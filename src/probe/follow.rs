@@ -1,0 +1,264 @@
+//! Following the contacts of one chain on one rank.
+use super::live::{Live, Over};
+use super::tally::{Fastest, LawShare, TypePair};
+use super::work::Motion;
+use super::{Call, Contacts};
+use crate::chain::Chain;
+use crate::law::{Kind, Stage};
+use crate::laws::prop;
+use crate::trace::Header;
+use nalgebra::Vector3;
+use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+
+/// At most so many contacts are followed at a time. When there are more, every second pair of particles is let go,
+/// chosen by a hash of their numbers, and those that stay count twice.
+pub const FOLLOWED: usize = 512;
+/// So few are all followed. Of more, at most a quarter, mostly an eighth: that keeps a probed run below 1.5
+/// times the time of a plain one, as following a contact costs more than evaluating it.
+const FEW: usize = 8;
+
+/// Numbers of the partners, and what tells apart the meshes that number their triangles alike.
+type Key = (i64, i64, usize);
+
+/// Follows the contacts of one chain.
+pub struct Follower {
+    contacts: Contacts,
+    /// The laws, if granlaw has all of them, and their kinds.
+    chain: Option<Chain>,
+    kinds: Vec<Kind>,
+    /// Coefficient of friction of each pair of types; infinite where there is none.
+    mu: Vec<f64>,
+    /// Where the types of a call are in `contacts.pairs`.
+    places: Vec<Option<usize>>,
+    live: FxHashMap<Key, Live>,
+    most: usize,
+    /// The step at hand, the calls before it, and the calls in the step before.
+    step: i64,
+    before: u64,
+    touching: usize,
+    history: Vec<f64>,
+    /// Momentum that a wall handed to particles \[N s\]; zero for the pair style.
+    pub(super) impulse: Vector3<f64>,
+}
+
+impl Follower {
+    /// For the chain of a header, with at most `most` contacts followed at a time.
+    pub fn new(header: Header, most: usize) -> Follower {
+        let chain = header.chain().ok();
+        let kinds = chain.iter().flat_map(Chain::laws).map(|m| m.kind).collect();
+        let friction = header.laws.iter().flat_map(|l| &l.properties).find(|p| p.name == prop::FRICTION.name);
+        let none = vec![f64::INFINITY; header.types * header.types];
+        // Without friction nothing slips in its sense.
+        let mu = friction.map_or(none, |p| {
+            p.values.iter().map(|mu| if *mu > 0.0 { *mu } else { f64::INFINITY }).collect()
+        });
+        let places = vec![None; header.types * header.types];
+        let contacts = Contacts { header, share: 1, calls: 0, followed: 0, residual: 0.0, pairs: Vec::new() };
+        let (live, history) = (FxHashMap::default(), Vec::new());
+        Follower {
+            contacts,
+            chain,
+            kinds,
+            mu,
+            places,
+            live,
+            most,
+            step: i64::MIN,
+            before: 0,
+            touching: 0,
+            history,
+            impulse: Vector3::zeros(),
+        }
+    }
+
+    pub(super) fn header(&self) -> &Header {
+        &self.contacts.header
+    }
+
+    pub(super) fn calls(&self) -> u64 {
+        self.contacts.calls
+    }
+
+    /// Surfaces overlap, in a call of this chain. The result is whether the contact is one of those that are followed,
+    /// and [`Follower::touched`] is to be called; this one is cheap.
+    #[inline]
+    pub fn sees(&mut self, tags: (i64, i64)) -> bool {
+        self.contacts.calls += 1;
+        drawn(tags, self.contacts.share)
+    }
+
+    /// A wall pushed a particle for a step.
+    #[inline]
+    pub fn pushed(&mut self, force: &Vector3<f64>, dt: f64) {
+        self.impulse += force * dt;
+    }
+
+    /// A followed contact, in a call that may write history.
+    pub fn touched(&mut self, call: &Call<'_>) {
+        let g = &call.contact.gap;
+        let (i, j, place) = (g.i.tag, g.j.tag, call.place);
+        let key = if g.call.is_wall { (i, j, place) } else { (i.min(j), i.max(j), place) };
+        self.tick(g.call.step);
+        if self.live.len() >= self.room() && !self.live.contains_key(&key) {
+            self.make_room(g.call.step);
+            if !drawn((key.0, key.1), self.contacts.share) {
+                return;
+            }
+        }
+        let at = self.place(call);
+        let mu = self.mu[call.types.0 * self.contacts.header.types + call.types.1];
+        let pair = &mut self.contacts.pairs[at];
+        let (step, share) = (g.call.step, self.contacts.share);
+        let new = |pair: &mut TypePair| Live::new(at, call, lot(key, step), share, pair);
+        let live = match self.live.entry(key) {
+            Entry::Vacant(v) => v.insert(new(pair)),
+            Entry::Occupied(o) if o.get().last == step => return,
+            Entry::Occupied(mut o) => {
+                if o.get().last < step - 1 {
+                    o.insert(new(pair)).end(Over::Gone, pair);
+                }
+                o.into_mut()
+            }
+        };
+        self.contacts.followed += 1;
+        let weight = live.weight() as f64;
+        let motion = Motion::of(call);
+        let (load, residual) = match &mut self.chain {
+            Some(chain) => laws((chain, &self.kinds), &mut self.history, call, &motion, weight, pair),
+            None => (0.0, 0.0),
+        };
+        if self.chain.is_none() {
+            let (stiffness, damping) = (call.handed.kn, call.handed.gamman);
+            pair.fastest.meet(Fastest { stiffness, meff: g.meff, damping });
+        }
+        self.contacts.residual = self.contacts.residual.max(residual);
+        live.step(call, &motion, load, mu, pair);
+    }
+
+    /// Everything that is known once the run is over.
+    pub fn finish(mut self) -> Contacts {
+        for (_, live) in std::mem::take(&mut self.live) {
+            let at = live.at;
+            live.end(Over::End, &mut self.contacts.pairs[at]);
+        }
+        self.contacts.pairs.sort_by_key(|p| p.types);
+        self.contacts
+    }
+
+    fn tick(&mut self, step: i64) {
+        if step != self.step {
+            // The call at hand belongs to the new step.
+            let calls = self.contacts.calls.saturating_sub(1);
+            (self.touching, self.before, self.step) =
+                ((calls.saturating_sub(self.before)) as usize, calls, step);
+        }
+    }
+
+    fn room(&self) -> usize {
+        (self.touching / 4).clamp(FEW, self.most.max(FEW))
+    }
+
+    fn place(&mut self, call: &Call<'_>) -> usize {
+        let (n, (i, j)) = (self.contacts.header.types, call.types);
+        if let Some(at) = self.places[i * n + j] {
+            return at;
+        }
+        let wall = call.contact.gap.call.is_wall;
+        let (low, high) = if wall { (i, j) } else { (i.min(j), i.max(j)) };
+        let at = self.contacts.pairs.len();
+        let name = |l: &crate::trace::LawSpec| format!("{} {}", l.kind, l.keyword);
+        let share = |l| LawShare { law: name(l), ..LawShare::default() };
+        let laws = match self.chain {
+            Some(_) => self.contacts.header.laws.iter().map(share).collect(),
+            None => Vec::new(),
+        };
+        self.contacts.pairs.push(TypePair { types: [low + 1, high + 1], laws, ..TypePair::default() });
+        self.places[low * n + high] = Some(at);
+        if !wall {
+            self.places[high * n + low] = Some(at);
+        }
+        at
+    }
+
+    /// Contacts that were not called in the last step are over; if that is not enough, every second pair is let go.
+    fn make_room(&mut self, step: i64) {
+        let pairs = &mut self.contacts.pairs;
+        let gone = self.live.extract_if(|_, l| l.last < step - 1);
+        gone.for_each(|(_, l)| {
+            let at = l.at;
+            l.end(Over::Gone, &mut pairs[at]);
+        });
+        // Room for a quarter more, or this would happen at every call.
+        while self.live.len() > self.room() * 3 / 4 {
+            self.contacts.share *= 2;
+            let share = self.contacts.share;
+            self.live.retain(|key, _| drawn((key.0, key.1), share));
+        }
+    }
+}
+
+/// What each law does; the result is the largest use of a limit, and how far their force is from that of the run.
+fn laws(
+    (chain, kinds): (&mut Chain, &[Kind]),
+    history: &mut Vec<f64>,
+    call: &Call<'_>,
+    motion: &Motion,
+    weight: f64,
+    pair: &mut TypePair,
+) -> (f64, f64) {
+    let (x, dt) = (call.contact, call.contact.gap.call.dt);
+    history.clear();
+    history.extend_from_slice(&call.before[..chain.row()]);
+    let faster = motion.faster(&x.surface);
+    let mut load = 0.0f64;
+    let mut fastest = Fastest { meff: x.gap.meff, ..Fastest::default() };
+    let shares = &mut pair.laws;
+    chain.observe_each(call.types, x, history, |k, t| {
+        load = load.max(t.load);
+        if matches!(kinds[k], Kind::Normal | Kind::Cohesion) {
+            fastest.stiffness += t.stiffness;
+            fastest.damping += t.damping;
+        }
+        // A normal dashpot acts on the mean velocity of its step, as all work here.
+        let damped = if kinds[k] == Kind::Normal { t.dissipated * faster } else { t.dissipated };
+        shares[k].observed(t.branch, damped, dt * weight);
+    });
+    pair.fastest.meet(fastest);
+    let mut before = Stage::default();
+    let mut all = Stage::default();
+    chain.touch_each(call.types, x, history, &mut all, |k, s| {
+        let force = (s.force - before.force) * call.share;
+        let torque = |now: Vector3<f64>, then: Vector3<f64>| (now - then) * call.share;
+        let torque_i = torque(s.torque_i, before.torque_i);
+        let torque_j =
+            if x.gap.call.is_wall { Vector3::zeros() } else { torque(s.torque_j, before.torque_j) };
+        shares[k].work += motion.power(&force, &torque_i, &torque_j) * dt * weight;
+        shares[k].impulse += force.norm() * dt * weight;
+        shares[k].turn += torque_i.norm() * dt * weight;
+        before = *s;
+    });
+    let (ours, theirs) = (all.force * call.share, call.force);
+    let residual = if ours == theirs { 0.0 } else { (ours - theirs).norm() / theirs.norm() };
+    (load, residual)
+}
+
+/// Whether a pair of particles is among the one in `share` that are followed; `share` is a power of two.
+#[inline]
+fn drawn((i, j): (i64, i64), share: u64) -> bool {
+    share == 1 || mix(i.min(j), i.max(j)) & (share - 1) == 0
+}
+
+/// The lot of a contact that began in a step; not the bits that [`drawn`] looks at.
+fn lot(key: Key, step: i64) -> u32 {
+    (mix((mix(key.0, key.1) >> 1) as i64, step) >> 32) as u32
+}
+
+/// A hash whose every bit depends on every bit of both numbers (the finaliser of SplitMix64).
+#[inline]
+fn mix(a: i64, b: i64) -> u64 {
+    let mut z = (a as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (b as u64).rotate_left(32);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}

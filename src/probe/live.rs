@@ -1,0 +1,172 @@
+//! A contact while it lasts.
+use super::examples::{self, Drawn, Impact, Partners, Pressed};
+use super::tally::TypePair;
+use super::work::Motion;
+use super::Call;
+
+/// Longer than this many half periods of its own spring, a contact is pressed rather than an impact.
+const IMPACT: f64 = 8.0;
+
+/// A followed contact.
+pub(super) struct Live {
+    /// Where its [`TypePair`] is.
+    pub at: usize,
+    pub last: i64,
+    lot: u32,
+    weight: u64,
+    /// The first state, if the contact was seen to begin.
+    whole: Option<Box<Impact>>,
+    partners: Partners,
+    steps: u64,
+    time: f64,
+    overlap: f64,
+    push: f64,
+    pull: f64,
+    load: f64,
+    /// Largest kn that the normal law handed along \[N/m\].
+    kn: f64,
+    impulse: [f64; 2],
+    work: f64,
+    /// Normal velocity once the last force has acted \[m/s\], and whether it parts the surfaces in the next step.
+    out: f64,
+    parts: bool,
+}
+
+/// Why a contact is over.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Over {
+    /// It was not called again.
+    Gone,
+    /// The run is over.
+    End,
+}
+
+impl Live {
+    pub fn new(at: usize, call: &Call<'_>, lot: u32, weight: u64, pair: &mut TypePair) -> Live {
+        let s = &call.contact.surface;
+        let whole = began(call).then(|| Box::new(Impact::of(call)));
+        if whole.is_some() {
+            pair.counts.began += weight;
+            pair.impact_speed.add(-s.vn, weight);
+            pair.impact_slip.add(s.vtr.norm(), weight);
+        } else {
+            pair.counts.found += weight;
+        }
+        Live {
+            at,
+            last: call.contact.gap.call.step,
+            lot,
+            weight,
+            whole,
+            partners: Partners::of(call),
+            steps: 0,
+            time: 0.0,
+            overlap: 0.0,
+            push: 0.0,
+            pull: 0.0,
+            load: 0.0,
+            kn: 0.0,
+            impulse: [0.0; 2],
+            work: 0.0,
+            out: 0.0,
+            parts: false,
+        }
+    }
+
+    /// A step of the contact. `load` is the largest that the laws tell, `mu` the coefficient of friction.
+    pub fn step(&mut self, call: &Call<'_>, motion: &Motion, load: f64, mu: f64, pair: &mut TypePair) {
+        let (s, dt) = (&call.contact.surface, call.contact.gap.call.dt);
+        let (weight, many) = (self.weight, self.weight as f64);
+        let normal = call.force.dot(&s.en);
+        let tangential = (call.force - s.en * normal).norm();
+        self.last = call.contact.gap.call.step;
+        self.steps += 1;
+        self.time += dt;
+        self.overlap = self.overlap.max(s.deltan);
+        (self.push, self.pull) = (self.push.max(normal), self.pull.max(-normal));
+        self.load = self.load.max(load);
+        self.kn = self.kn.max(call.handed.kn);
+        self.impulse[0] += normal.abs() * dt;
+        self.impulse[1] += tangential * dt;
+        self.out = s.vn + normal * dt / call.contact.gap.meff;
+        // The normal itself turns and the velocity still changes a little, hence the half more.
+        self.parts = s.deltan <= 1.5 * self.out * dt + reach(call);
+        let done = motion.directions(call, normal);
+        self.work += done.sum();
+        pair.time += dt * many;
+        pair.impulse.normal += normal.abs() * dt * many;
+        pair.impulse.tangential += tangential * dt * many;
+        pair.work.add(&done, many);
+        let used = tangential / call.handed.fn_.abs();
+        pair.friction.add(used, weight);
+        // Rounding of the limit itself.
+        if used >= mu * (1.0 - 1e-9) {
+            pair.slip += dt * many;
+        }
+    }
+
+    /// The contact is over; what it was goes into its pair.
+    pub fn end(mut self, over: Over, pair: &mut TypePair) {
+        let weight = self.weight;
+        let parted = self.parts;
+        match (parted, over) {
+            (true, _) => pair.counts.parted += weight,
+            (false, Over::Gone) => pair.counts.lost += weight,
+            (false, Over::End) => pair.counts.open += weight,
+        }
+        pair.overlap.add(self.overlap / self.partners.reff(), weight);
+        pair.load.add(self.load, weight);
+        if self.push > 0.0 {
+            pair.tension.add(self.pull / self.push, weight);
+        }
+        let seen_whole = self.whole.take().filter(|_| parted);
+        if seen_whole.is_some() {
+            pair.steps.add(self.steps as f64, weight);
+        }
+        let half_period = std::f64::consts::PI * (self.partners.meff / self.kn).sqrt();
+        let lasted = self.time > IMPACT * half_period;
+        match seen_whole {
+            Some(impact) if !lasted => self.impact(*impact, pair),
+            _ if lasted => self.pressed(pair),
+            _ => {}
+        }
+    }
+
+    fn impact(&self, mut impact: Impact, pair: &mut TypePair) {
+        let restitution = self.out / -impact.v[0];
+        let (steps, overlap, dissipated) = (self.steps, self.overlap, -self.work);
+        impact.end = examples::End { steps, overlap, restitution, dissipated };
+        pair.restitution.add(restitution, self.weight);
+        let class = (examples::octave(-impact.v[0]), impact.slant());
+        let drawn = Drawn { lot: self.lot, what: impact };
+        examples::enter(&mut pair.impacts, class, self.weight, (self.impulse[0], dissipated), drawn);
+    }
+
+    fn pressed(&self, pair: &mut TypePair) {
+        let [normal, tangential] = self.impulse.map(|i| i / self.time);
+        if normal <= 0.0 {
+            return;
+        }
+        let pressed = Pressed { partners: self.partners, normal, tangential, time: self.time };
+        let class = (examples::octave(normal), pressed.slant());
+        let drawn = Drawn { lot: self.lot, what: pressed };
+        examples::enter(&mut pair.pressed, class, self.weight, (self.impulse[0], -self.work), drawn);
+    }
+
+    pub fn weight(&self) -> u64 {
+        self.weight
+    }
+}
+
+/// Whether the surfaces met in the step that has just been made: the overlap is no deeper than that step went.
+fn began(call: &Call<'_>) -> bool {
+    let s = &call.contact.surface;
+    s.vn < 0.0 && s.deltan <= -s.vn * call.contact.gap.call.dt + reach(call)
+}
+
+/// What a step changes of the distance beside the normal velocity \[m\]: the normal turns, and numbers are rounded.
+fn reach(call: &Call<'_>) -> f64 {
+    let g = &call.contact.gap;
+    let moved = (g.i.v - g.j.v).norm() * g.call.dt;
+    moved * moved / (g.i.radius + g.j.radius) + 1e-12 * g.i.radius
+}

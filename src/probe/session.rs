@@ -1,0 +1,89 @@
+//! All chains of a run on one rank.
+use super::bulk::{Bulk, Clock, Sample};
+use super::follow::{Follower, FOLLOWED};
+use super::{Probe, FORMAT};
+use crate::trace::Header;
+
+/// Collects what a rank sees of a run.
+#[derive(Default)]
+pub struct Session {
+    followers: Vec<Follower>,
+    ranks: usize,
+    bulk: Bulk,
+    clock: Clock,
+}
+
+/// The particles of a rank.
+#[derive(Clone, Copy, Debug)]
+pub struct Particles<'a> {
+    /// Masses \[kg\].
+    pub mass: &'a [f64],
+    /// Radii \[m\].
+    pub radius: &'a [f64],
+    /// Positions \[m\], three numbers each.
+    pub x: &'a [f64],
+    /// Velocities \[m/s\].
+    pub v: &'a [f64],
+    /// Spins \[rad/s\].
+    pub omega: &'a [f64],
+}
+
+impl Session {
+    /// The place of the chain with this header, which is begun if there was none like it.
+    pub fn chain(&mut self, mut header: Header) -> usize {
+        self.ranks = header.ranks;
+        // What differs between ranks, or is of traces only, does not make another chain.
+        (header.rank, header.every) = (0, 1);
+        header.particles.clear();
+        let known = self.followers.iter().position(|f| *f.header() == header);
+        known.unwrap_or_else(|| {
+            if header.who != "pair" {
+                self.bulk.wall(&header.who);
+            }
+            self.followers.push(Follower::new(header, FOLLOWED));
+            self.followers.len() - 1
+        })
+    }
+
+    /// The follower of a chain.
+    ///
+    /// # Panics
+    /// If `at` is no place that [`Session::chain`] gave.
+    pub fn follower(&mut self, at: usize) -> &mut Follower {
+        &mut self.followers[at]
+    }
+
+    /// A step begins. The result is whether [`Session::sample`] is to be called.
+    pub fn tick(&mut self, step: i64, dt: f64) -> bool {
+        self.clock.tick(step, dt)
+    }
+
+    /// The particles in a step for which [`Session::tick`] asked.
+    pub fn sample(&mut self, step: i64, p: &Particles<'_>) {
+        let mut s = Sample { step, time: self.clock.time, ..Sample::default() };
+        s.particles = p.mass.len() as u64;
+        let square = |v: &[f64]| v.iter().map(|c| c * c).sum::<f64>();
+        for (k, (m, r)) in p.mass.iter().zip(p.radius).enumerate() {
+            let at = 3 * k..3 * k + 3;
+            s.mass += m;
+            s.kinetic += 0.5 * m * square(&p.v[at.clone()]);
+            s.rotational += 0.5 * 0.4 * m * r * r * square(&p.omega[at.clone()]);
+            s.moment.iter_mut().zip(&p.x[at]).for_each(|(sum, x)| *sum += m * x);
+        }
+        let pairs = self.followers.iter().filter(|f| f.header().who == "pair");
+        s.contacts = pairs.map(Follower::calls).sum();
+        s.walls = vec![[0.0; 3]; self.bulk.walls.len()];
+        for f in &self.followers {
+            if let Some(at) = self.bulk.walls.iter().position(|w| *w == f.header().who) {
+                (0..3).for_each(|d| s.walls[at][d] += f.impulse[d]);
+            }
+        }
+        self.bulk.add(s, &mut self.clock);
+    }
+
+    /// The run is over.
+    pub fn finish(self) -> Probe {
+        let chains = self.followers.into_iter().map(Follower::finish).collect();
+        Probe { format: FORMAT.into(), ranks: self.ranks.max(1), chains, bulk: self.bulk }
+    }
+}
