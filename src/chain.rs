@@ -1,6 +1,10 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
-use crate::law::{Contact, Gap, Kernel, LawError, Mark, Meta, Setup, Size, Stage, Terms};
+use crate::law::{Call, Contact, Gap, Kernel, LawError, Life, Mark, Meta, Setup, Size, Stage, Terms};
 use crate::laws::find;
+
+mod host;
+
+pub use host::Wall;
 
 struct Link {
     meta: &'static Meta,
@@ -17,6 +21,33 @@ pub struct Marks {
     pub clear: i32,
 }
 
+/// The bonds that a chain has seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bonds {
+    /// How many began.
+    pub begun: u64,
+    /// How many ended.
+    pub ended: u64,
+    /// How many there were in the step that was counted last.
+    pub there: u64,
+    /// That step.
+    pub step: i64,
+}
+
+impl Bonds {
+    fn count(&mut self, call: &Call, life: Life) {
+        if self.step != call.step {
+            (self.step, self.there) = (call.step, 0);
+        }
+        match life {
+            Life::None => {}
+            Life::Begins => (self.begun, self.there) = (self.begun + 1, self.there + 1),
+            Life::Lasts => self.there += 1,
+            Life::Ends => self.ended += 1,
+        }
+    }
+}
+
 /// Laws of different kinds, prepared.
 pub struct Chain {
     links: Vec<Link>,
@@ -24,6 +55,7 @@ pub struct Chain {
     row: usize,
     /// What the laws are fitted to. Neighbouring contacts mostly have the same sizes, so the last fit mostly holds.
     fitted: Option<(usize, Size)>,
+    bonds: Bonds,
 }
 
 impl Chain {
@@ -37,10 +69,11 @@ impl Chain {
         for (setup, at) in setups.iter().zip(offsets) {
             let meta = setup.meta;
             let kernel = find(meta.kind, meta.keyword).expect("a law of LAWS").prepare(setup)?;
-            links.push(Link { meta, kernel, slots: *at..at + meta.slots.len() });
+            links.push(Link { meta, kernel, slots: *at..at + setup.slots().count() });
         }
         let row = links.iter().map(|l| l.slots.end).max().unwrap_or(0);
-        Ok(Chain { links, types: setups.first().map_or(0, |s| s.values.types), row, fitted: None })
+        let (types, bonds) = (setups.first().map_or(0, |s| s.values.types), Bonds::default());
+        Ok(Chain { links, types, row, fitted: None, bonds })
     }
 
     /// Laws whose histories lie one behind the other from slot 0.
@@ -51,7 +84,7 @@ impl Chain {
         let mut at = 0;
         let mut place = |s: &Setup| {
             let begin = at;
-            at += s.meta.slots.len();
+            at += s.slots().count();
             begin
         };
         let offsets: Vec<_> = setups.iter().map(&mut place).collect();
@@ -77,7 +110,7 @@ impl Chain {
     /// `s` holds already is kept and added to.
     pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Marks {
         self.fit(types, &x.gap);
-        self.run(h, s, |kernel, h, s| kernel.touch(x, h, s))
+        self.run(&x.gap.call, h, s, |kernel, h, s| kernel.touch(x, h, s))
     }
 
     /// As [`Chain::touch`]; `each` sees what is handed along after every law, told by its place in the chain.
@@ -99,7 +132,7 @@ impl Chain {
     /// They do not.
     pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Marks {
         self.fit(types, x);
-        self.run(h, s, |kernel, h, s| kernel.apart(x, h, s))
+        self.run(&x.call, h, s, |kernel, h, s| kernel.apart(x, h, s))
     }
 
     #[inline]
@@ -113,10 +146,16 @@ impl Chain {
     }
 
     #[inline]
-    fn run(&self, h: &mut [f64], s: &mut Stage, each: impl Fn(&dyn Kernel, &mut [f64], &mut Stage)) -> Marks {
+    fn run(
+        &mut self,
+        call: &Call,
+        h: &mut [f64],
+        s: &mut Stage,
+        each: impl Fn(&dyn Kernel, &mut [f64], &mut Stage),
+    ) -> Marks {
         let mut marks = Marks::default();
         for link in &self.links {
-            s.mark = Mark::Leave;
+            (s.mark, s.life) = (Mark::Leave, Life::None);
             each(link.kernel.as_ref(), &mut h[link.slots.clone()], s);
             let bit = 1 << link.meta.kind as i32;
             match s.mark {
@@ -124,8 +163,16 @@ impl Chain {
                 Mark::Clear => marks.clear |= bit,
                 Mark::Leave => {}
             }
+            if call.counts && link.meta.bonds.is_some() {
+                self.bonds.count(call, s.life);
+            }
         }
         marks
+    }
+
+    /// The bonds that began, ended and lasted in the evaluations that count.
+    pub fn bonds(&self) -> Bonds {
+        self.bonds
     }
 
     /// What each law can tell of the contact before it is evaluated.

@@ -121,7 +121,7 @@ fn kick(start: &Start, s: &mut State) {
 
 fn evaluate(chain: &mut Chain, start: &Start, s: &mut State, update: bool) {
     let is_wall = matches!(start.partner, Partner::Plane { .. });
-    let call = Call { dt: start.dt, step: s.step, update, is_wall };
+    let call = Call { dt: start.dt, step: s.step, update, counts: update, is_wall };
     let (gap, overlap) = approach(start, &s.bodies, call);
     s.stage = Stage::default();
     s.touching = if is_wall { overlap >= 0.0 } else { gap.rsq < square(gap.i.radius + gap.j.radius) };

@@ -35,7 +35,7 @@ pub struct Replay {
     pub header: Header,
     /// Calls replayed.
     pub calls: u64,
-    /// Those of them in which the surfaces overlap.
+    /// Those of them in which the surfaces overlap or a law acts across the gap.
     pub touches: u64,
     /// Forces, torques, what the laws handed along, every slot of history, and the surfaces.
     pub quantities: Vec<Quantity>,
@@ -86,7 +86,7 @@ pub fn replay_from<R: Read>(mut trace: Reader<R>, file: &str) -> Result<Replay, 
             (chain, headers) = (build(trace.header())?, trace.headers());
         }
         calls += 1;
-        touches += u64::from(row.touch);
+        touches += u64::from(row.touch || row.has_force);
         again.run(&mut chain, &row);
         sums.add(trace.line(), &row, &again);
         follow.row(&row, again.surface.deltan, again.stage.fn_);

@@ -232,7 +232,7 @@ fn together_they_reach_every_branch_of_the_law() {
 /// Contact `k` of a trace as LIGGGHTS would see it after the surfaces have parted.
 fn part(row: &mut Row) {
     let zero = Row::default();
-    row.touch = false;
+    (row.touch, row.has_force) = (false, false);
     (row.surface, row.handed) = (zero.surface, zero.handed);
     row.after.fill(0.0);
     (row.force_i, row.force_j) = (zero.force_i, zero.force_j);

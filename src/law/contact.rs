@@ -11,6 +11,8 @@ pub struct Call {
     pub step: i64,
     /// Whether history may be written (LIGGGHTS: `computeflag && shearupdate`).
     pub update: bool,
+    /// Whether what begins, lasts or ends in it is counted: not in queries, and only by one of the ranks that see it.
+    pub counts: bool,
     /// Whether j is a wall.
     pub is_wall: bool,
 }
@@ -30,11 +32,17 @@ pub struct Body {
     pub v: Vector3<f64>,
     /// Spin \[rad/s\].
     pub omega: Vector3<f64>,
+    /// What the deck gives each atom, by [`AtomProp::place`](super::AtomProp::place); −∞ where it gives nothing.
+    pub given: [f64; ATOM_PROPS],
 }
+
+/// How many properties of single atoms there are room for.
+pub const ATOM_PROPS: usize = 1;
 
 impl Default for Body {
     fn default() -> Body {
-        Body { tag: 0, radius: 0.0, mass: 0.0, x: zero(), v: zero(), omega: zero() }
+        let given = [f64::NEG_INFINITY; ATOM_PROPS];
+        Body { tag: 0, radius: 0.0, mass: 0.0, x: zero(), v: zero(), omega: zero(), given }
     }
 }
 
@@ -209,6 +217,20 @@ pub enum Mark {
     Leave,
 }
 
+/// What becomes of a bond that a law keeps between two bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Life {
+    /// There is none.
+    #[default]
+    None,
+    /// It begins in this evaluation.
+    Begins,
+    /// It was there before and remains.
+    Lasts,
+    /// It ends in this evaluation.
+    Ends,
+}
+
 /// What is handed along the chain: each law reads what the ones before it left, and adds its share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage<L = f64> {
@@ -230,6 +252,12 @@ pub struct Stage<L = f64> {
     pub torque_j: Vector3<L>,
     /// What the law that ran last does to the contact flag.
     pub mark: Mark,
+    /// What becomes of the bond of the law that ran last.
+    pub life: Life,
+    /// Whether there is a force although surfaces do not overlap; set by [`Stage::replace`].
+    pub acts: bool,
+    /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
+    pub replaces: bool,
 }
 
 impl<L: Lane> Default for Stage<L> {
@@ -237,7 +265,17 @@ impl<L: Lane> Default for Stage<L> {
     fn default() -> Stage<L> {
         let o = L::splat(0.0);
         let (force, torque_i, torque_j) = (zero(), zero(), zero());
-        Stage { fn_: o, kn: o, kt: o, gamman: o, gammat: o, force, torque_i, torque_j, mark: Mark::Leave }
+        let (mark, life, acts, replaces) = (Mark::Leave, Life::None, false, false);
+        let (fn_, kn, kt, gamman, gammat) = (o, o, o, o, o);
+        Stage { fn_, kn, kt, gamman, gammat, force, torque_i, torque_j, mark, life, acts, replaces }
+    }
+}
+
+impl<L: Lane> Stage<L> {
+    /// Force on i and torques on both in place of whatever the laws before gave; the laws that follow add to them.
+    pub fn replace(&mut self, force: Vector3<L>, torque_i: Vector3<L>, torque_j: Vector3<L>) {
+        (self.force, self.torque_i, self.torque_j) = (force, torque_i, torque_j);
+        (self.acts, self.replaces) = (true, true);
     }
 }
 

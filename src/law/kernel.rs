@@ -13,10 +13,45 @@ pub trait Kernel: Send {
     fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage);
     /// See [`Law::observe`].
     fn observe(&self, x: &Contact, h: &[f64]) -> Terms;
+    /// The largest [`Law::reach`] of all type pairs \[m\].
+    fn reach(&self, is_wall: bool) -> f64;
+    /// See [`Law::remarks`]; each once.
+    fn remarks(&self) -> &[String];
+}
+
+/// How a law sees its part of a row of history.
+pub trait Memory {
+    /// How many numbers it holds, if that is the same under all settings.
+    const SLOTS: Option<usize>;
+    /// The numbers as the law has them.
+    fn view(h: &mut [f64]) -> &mut Self;
+    /// The same without writing.
+    fn see(h: &[f64]) -> &Self;
+}
+
+impl<H: Pod> Memory for H {
+    const SLOTS: Option<usize> = Some(size_of::<H>() / 8);
+    fn view(h: &mut [f64]) -> &mut H {
+        bytemuck::from_bytes_mut(bytemuck::cast_slice_mut(h))
+    }
+    fn see(h: &[f64]) -> &H {
+        bytemuck::from_bytes(bytemuck::cast_slice(h))
+    }
+}
+
+impl Memory for [f64] {
+    const SLOTS: Option<usize> = None;
+    fn view(h: &mut [f64]) -> &mut [f64] {
+        h
+    }
+    fn see(h: &[f64]) -> &[f64] {
+        h
+    }
 }
 
 struct Prepared<L: Law> {
     coeffs: Vec<L::Coeffs>,
+    remarks: Vec<String>,
     fit: Option<L::Fit>,
 }
 
@@ -27,22 +62,24 @@ impl<L: Law> Prepared<L> {
     }
 }
 
-fn view<H: Pod>(h: &mut [f64]) -> &mut H {
-    bytemuck::from_bytes_mut(bytemuck::cast_slice_mut(h))
-}
-
 impl<L: Law> Kernel for Prepared<L> {
     fn fit(&mut self, pair: usize, size: &Size) {
         self.fit = Some(L::fit(&self.coeffs[pair], size));
     }
     fn touch(&self, x: &Contact, h: &mut [f64], s: &mut Stage) {
-        L::touch(self.fitted(), x, view(h), s);
+        L::touch(self.fitted(), x, L::History::view(h), s);
     }
     fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage) {
-        L::apart(self.fitted(), x, view(h), s);
+        L::apart(self.fitted(), x, L::History::view(h), s);
     }
     fn observe(&self, x: &Contact, h: &[f64]) -> Terms {
-        L::observe(self.fitted(), x, bytemuck::from_bytes(bytemuck::cast_slice(h)))
+        L::observe(self.fitted(), x, L::History::see(h))
+    }
+    fn reach(&self, is_wall: bool) -> f64 {
+        self.coeffs.iter().map(|c| L::reach(c, is_wall)).fold(0.0, f64::max)
+    }
+    fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 }
 
@@ -75,7 +112,12 @@ pub struct Entry<U: ForLanes = Alone> {
 impl<U: ForLanes> Entry<U> {
     /// The row of a law whose hot function takes one contact at a time.
     pub const fn scalar<L: Law>() -> Entry<U> {
-        assert!(size_of::<L::History>() == 8 * L::META.slots.len(), "History and slots differ in length");
+        match <L::History as Memory>::SLOTS {
+            Some(n) => assert!(n == L::META.slots.len(), "History and slots differ in length"),
+            None => {
+                assert!(L::META.stock_id.is_none(), "a stock law's history is the same under all settings");
+            }
+        }
         assert!(L::META.id >= 48 && L::META.id < 64, "own numbers are 48 to 63");
         Entry { meta: &L::META, prepare: prepare::<L>, lanes: None }
     }
@@ -100,5 +142,10 @@ impl<U: ForLanes> Entry<U> {
 }
 
 fn prepare<L: Law>(setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
-    Ok(Box::new(Prepared::<L> { coeffs: setup.coeffs::<L>()?, fit: None }))
+    let coeffs = setup.coeffs::<L>()?;
+    let n = setup.values.types;
+    let mut remarks: Vec<_> = (0..n * n).flat_map(|p| L::remarks(&setup.pair(p / n, p % n))).collect();
+    remarks.sort();
+    remarks.dedup();
+    Ok(Box::new(Prepared::<L> { coeffs, remarks, fit: None }))
 }

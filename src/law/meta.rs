@@ -44,8 +44,8 @@ impl Kind {
 pub struct Unit {
     /// How it is written.
     pub label: &'static str,
-    /// Power of length.
-    pub m: i8,
+    /// Twice the power of length, as √δ brings half powers.
+    pub m2: i8,
     /// Power of mass.
     pub kg: i8,
     /// Power of time.
@@ -54,17 +54,25 @@ pub struct Unit {
 
 impl Unit {
     /// A pure number.
-    pub const ONE: Unit = Unit { label: "1", m: 0, kg: 0, s: 0 };
+    pub const ONE: Unit = Unit { label: "1", m2: 0, kg: 0, s: 0 };
     /// Length.
-    pub const M: Unit = Unit { label: "m", m: 1, kg: 0, s: 0 };
+    pub const M: Unit = Unit { label: "m", m2: 2, kg: 0, s: 0 };
     /// Velocity.
-    pub const M_PER_S: Unit = Unit { label: "m/s", m: 1, kg: 0, s: -1 };
+    pub const M_PER_S: Unit = Unit { label: "m/s", m2: 2, kg: 0, s: -1 };
     /// Stress, modulus.
-    pub const PA: Unit = Unit { label: "Pa", m: -1, kg: 1, s: -2 };
+    pub const PA: Unit = Unit { label: "Pa", m2: -2, kg: 1, s: -2 };
     /// Energy per area.
-    pub const J_PER_M2: Unit = Unit { label: "J/m²", m: 0, kg: 1, s: -2 };
+    pub const J_PER_M2: Unit = Unit { label: "J/m²", m2: 0, kg: 1, s: -2 };
     /// Dynamic viscosity.
-    pub const PA_S: Unit = Unit { label: "Pa s", m: -1, kg: 1, s: -1 };
+    pub const PA_S: Unit = Unit { label: "Pa s", m2: -2, kg: 1, s: -1 };
+    /// Angle.
+    pub const RAD: Unit = Unit { label: "rad", m2: 0, kg: 0, s: 0 };
+    /// Force.
+    pub const N: Unit = Unit { label: "N", m2: 2, kg: 1, s: -2 };
+    /// Stiffness per area.
+    pub const N_PER_M3: Unit = Unit { label: "N/m³", m2: -4, kg: 1, s: -2 };
+    /// Stiffness per area of a force that grows as √δ.
+    pub const N_PER_M2_5: Unit = Unit { label: "N/m^2.5", m2: -3, kg: 1, s: -2 };
 }
 
 /// The values that a property may take; outside, the set-up is refused.
@@ -147,7 +155,7 @@ impl Shape {
     }
 }
 
-/// When a property must be given.
+/// When a property must be given, or a slot of history is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
     /// Always.
@@ -156,6 +164,10 @@ pub enum Need {
     When(&'static str, &'static str),
     /// Unless this setting is at this option.
     Unless(&'static str, &'static str),
+    /// Only when all these settings are at these options.
+    All(&'static [(&'static str, &'static str)]),
+    /// Unless all these settings are at these options.
+    NotAll(&'static [(&'static str, &'static str)]),
 }
 
 /// A material property.
@@ -240,6 +252,30 @@ pub struct Slot {
     pub newton: Newton,
     /// Its unit.
     pub unit: Unit,
+    /// When there is room for it in a row of history.
+    pub need: Need,
+}
+
+impl Slot {
+    /// A number that is always kept and stays when i and j change places.
+    pub const fn even(name: &'static str, unit: Unit) -> Slot {
+        Slot { name, newton: Newton::Even, unit, need: Need::Always }
+    }
+    /// A number that is always kept and changes sign when i and j change places.
+    pub const fn odd(name: &'static str, unit: Unit) -> Slot {
+        Slot { name, newton: Newton::Odd, unit, need: Need::Always }
+    }
+}
+
+/// A number that a deck may give every atom in `fix property/atom`.
+#[derive(Clone, Copy, Debug)]
+pub struct AtomProp {
+    /// The name in `fix property/atom`.
+    pub name: &'static str,
+    /// Where it stands in [`Body::given`](super::Body::given).
+    pub place: usize,
+    /// What it is.
+    pub doc: &'static str,
 }
 
 /// How far a law acts.
@@ -256,6 +292,14 @@ pub enum Reach {
 pub enum Rule {
     /// History is written only when LIGGGHTS says so.
     QueryLeavesHistory,
+    /// i and j change places, and the answer with them.
+    PartnersSwap,
+    /// Forces and torques of a pair leave its angular momentum as it is.
+    AngularMomentum,
+    /// Turning the whole picture turns the answer.
+    FrameTurns,
+    /// Another metre, kilogram or second changes the numbers by the powers of their units.
+    UnitsScale,
     /// Separation clears the history.
     ApartClearsHistory,
     /// No force jumps while the inputs change continuously.
@@ -292,12 +336,18 @@ pub struct Meta {
     pub props: &'static [Prop],
     /// The settings, in the order in which options are handed over.
     pub settings: &'static [Setting],
-    /// The history, in the order in which it lies in memory.
+    /// What it reads of each atom where the deck gives it.
+    pub atoms: &'static [AtomProp],
+    /// The history, in the order in which it lies in memory; slots that the settings do not call for take no room.
     pub slots: &'static [Slot],
     /// Exponent n of F ∝ δⁿ, which LIGGGHTS asks of a normal law; 0 for the others.
     pub stress_strain_exponent: f64,
     /// How far it acts.
     pub reach: Reach,
+    /// Whether it holds particles to a point of a wall, which may then move but not turn.
+    pub anchors: bool,
+    /// What it calls the bonds that it keeps, in the plural, if it keeps any that users may count.
+    pub bonds: Option<&'static str>,
     /// Whether it is consistent under LIGGGHTS's coarse-graining; refused with it otherwise, as in LIGGGHTS.
     pub coarse_graining: bool,
     /// Where it comes from.

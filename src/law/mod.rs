@@ -7,22 +7,22 @@ mod kernel;
 mod meta;
 mod setup;
 
-pub use contact::{Body, Call, Contact, Gap, Mark, Size, Stage, Surface, Terms};
-pub use kernel::{Alone, Entry, ForLanes, Kernel};
+pub use contact::{Body, Call, Contact, Gap, Life, Mark, Size, Stage, Surface, Terms, ATOM_PROPS};
+pub use kernel::{Alone, Entry, ForLanes, Kernel, Memory};
 pub use meta::{
-    Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot, Support, Unit,
+    AtomProp, Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot, Support,
+    Unit,
 };
 pub use setup::{LawError, Pair, Settings, Setup, Values};
 
 use crate::lane::Lane;
-use bytemuck::Pod;
 
 /// A contact law. Its file holds all of it; a line in `laws::LAWS` makes it known everywhere.
 pub trait Law: 'static {
     /// What the law says of itself.
     const META: Meta;
-    /// Contact history: as many `f64` as `META.slots`, in that order.
-    type History: Pod;
+    /// Contact history: as many `f64` as `META.slots`, in that order. `[f64]` where settings decide which are kept.
+    type History: Memory + ?Sized;
     /// What a pair of atom types decides.
     type Coeffs: Copy + Send;
     /// What remains once radii and masses are known; reused as long as they stay the same.
@@ -33,6 +33,14 @@ pub trait Law: 'static {
     /// # Errors
     /// Combinations that make no sense.
     fn coeffs(pair: &Pair<'_>) -> Result<Self::Coeffs, LawError>;
+    /// How far the law acts \[m\], from centre to centre or from a centre to a wall; 0 only while surfaces overlap.
+    fn reach(_: &Self::Coeffs, _is_wall: bool) -> f64 {
+        0.0
+    }
+    /// What the user should know about a type pair that is allowed but asks for trouble.
+    fn remarks(_: &Pair<'_>) -> Vec<String> {
+        Vec::new()
+    }
     /// Fit the coefficients to two sizes.
     fn fit(c: &Self::Coeffs, size: &Size) -> Self::Fit;
     /// The surfaces overlap.

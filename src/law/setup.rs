@@ -1,5 +1,5 @@
 //! Set-up: property values and settings in, coefficients or a refusal out. Nothing is refused later.
-use super::meta::{Meta, Need, Range, Shape, Support};
+use super::meta::{Meta, Need, Range, Shape, Slot, Support};
 use super::Law;
 use thiserror::Error;
 
@@ -80,6 +80,14 @@ pub enum LawError {
         /// The law.
         law: String,
         /// What is unknown, and what is known.
+        what: String,
+    },
+    /// Things that are allowed each by itself and make no sense together.
+    #[error("{law}: {what}")]
+    Senseless {
+        /// The law.
+        law: String,
+        /// What, why, and what to do.
         what: String,
     },
 }
@@ -174,12 +182,18 @@ impl Settings {
         Ok(())
     }
 
-    /// Whether these settings call for a property.
+    /// Whether these settings call for a property or a slot; a setting that was not chosen is at none of its options.
     pub fn need(&self, need: Need) -> bool {
+        let is = |name: &str, option: &str| {
+            let k = self.meta.settings.iter().position(|s| s.name == name).expect("a setting of this law");
+            self.picked[k].is_some() && self.option(name) == option
+        };
         match need {
             Need::Always => true,
-            Need::When(name, option) => self.option(name) == option,
-            Need::Unless(name, option) => self.option(name) != option,
+            Need::When(name, option) => is(name, option),
+            Need::Unless(name, option) => !is(name, option),
+            Need::All(these) => these.iter().all(|(name, option)| is(name, option)),
+            Need::NotAll(these) => !these.iter().all(|(name, option)| is(name, option)),
         }
     }
 }
@@ -229,6 +243,11 @@ impl Setup {
             }
         }
         Ok(())
+    }
+
+    /// The slots of history that the settings call for, in the order in which they lie in memory.
+    pub fn slots(&self) -> impl Iterator<Item = &'static Slot> + '_ {
+        self.meta.slots.iter().filter(|s| self.settings.need(s.need))
     }
 
     /// Check the set-up and mix the coefficients of all pairs of atom types; `i * types + j` is the place of i and j.
@@ -309,8 +328,21 @@ impl Pair<'_> {
 
     /// A refusal of a value that the ranges alone cannot rule out.
     pub fn refuse(&self, name: &'static str, value: f64, range: Range) -> LawError {
-        let law = self.setup.meta.called(self.setup.settings.taken_over);
-        let types = format!(" (types {}-{})", self.i + 1, self.j + 1);
-        LawError::OutOfRange { law, name, value, types, range }
+        LawError::OutOfRange { law: self.law(), name, value, types: self.types(), range }
+    }
+
+    /// A refusal of things that make no sense together; `what` says what, why, and what to do.
+    pub fn senseless(&self, what: impl Into<String>) -> LawError {
+        LawError::Senseless { law: self.law(), what: what.into() }
+    }
+
+    /// The types, ready for a message.
+    pub fn types(&self) -> String {
+        format!(" (types {}-{})", self.i + 1, self.j + 1)
+    }
+
+    /// The name of the law in messages.
+    pub fn law(&self) -> String {
+        self.setup.meta.called(self.setup.settings.taken_over)
     }
 }

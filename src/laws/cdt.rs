@@ -31,9 +31,12 @@ impl Law for Cdt {
         summary: "constant directional torque",
         props: &[prop::ROLLING_FRICTION],
         settings: &[Setting::off("torsionTorque", Support::Full, "also resist spin about the normal")],
+        atoms: &[],
         slots: &[],
         stress_strain_exponent: 0.0,
         reach: Reach::Overlap,
+        anchors: false,
+        bonds: None,
         coarse_graining: false,
         references: &["J. Ai, J.-F. Chen, J.M. Rotter, J.Y. Ooi, Powder Technology 206 (2011) 269, model A"],
         exceptions: &[Exception {

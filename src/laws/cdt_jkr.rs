@@ -124,9 +124,12 @@ impl Law for CdtJkr {
                       whole spin. The torques differ by a factor of pi and more, so there is no default",
             },
         ],
+        atoms: &[],
         slots: &[],
         stress_strain_exponent: 0.0,
         reach: Reach::Overlap,
+        anchors: false,
+        bonds: None,
         coarse_graining: false,
         references: &[
             "Open DEM Japan, CDT-JKR rolling resistance model (rolling_model_cdt_jkr.h), 29 June 2025",

@@ -71,9 +71,12 @@ impl Law for Hertz {
             prop::DISSIPATED_ENERGY,
             prop::DISABLE_WHEN_BONDED,
         ],
+        atoms: &[],
         slots: &[],
         stress_strain_exponent: 1.5,
         reach: Reach::Overlap,
+        anchors: false,
+        bonds: None,
         coarse_graining: true,
         references: &[
             "H. Hertz, J. reine angew. Math. 92 (1882) 156",

@@ -61,13 +61,12 @@ impl Law for History {
             prop::ELASTIC_POTENTIAL,
             prop::DISSIPATED_ENERGY,
         ],
-        slots: &[
-            Slot { name: "shearx", newton: Newton::Odd, unit: Unit::M },
-            Slot { name: "sheary", newton: Newton::Odd, unit: Unit::M },
-            Slot { name: "shearz", newton: Newton::Odd, unit: Unit::M },
-        ],
+        atoms: &[],
+        slots: &[Slot::odd("shearx", Unit::M), Slot::odd("sheary", Unit::M), Slot::odd("shearz", Unit::M)],
         stress_strain_exponent: 0.0,
         reach: Reach::Overlap,
+        anchors: false,
+        bonds: None,
         coarse_graining: true,
         references: &[
             "P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47",

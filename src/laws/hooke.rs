@@ -102,9 +102,12 @@ impl Law for Hooke {
             prop::DISSIPATED_ENERGY,
             prop::DISABLE_WHEN_BONDED,
         ],
+        atoms: &[],
         slots: &[],
         stress_strain_exponent: 1.0,
         reach: Reach::Overlap,
+        anchors: false,
+        bonds: None,
         coarse_graining: false,
         references: &["P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47"],
         exceptions: &[

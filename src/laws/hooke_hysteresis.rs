@@ -149,9 +149,12 @@ impl Law for HookeHysteresis {
             prop::DISSIPATED_ENERGY,
             prop::DISABLE_WHEN_BONDED,
         ],
-        slots: &[Slot { name: "deltaMax", newton: Newton::Even, unit: Unit::M }],
+        atoms: &[],
+        slots: &[Slot::even("deltaMax", Unit::M)],
         stress_strain_exponent: 1.0, // (11)
         reach: Reach::Overlap,
+        anchors: false,
+        bonds: None,
         coarse_graining: false,
         references: &[
             "S. Luding, Granular Matter 10 (2008) 235, doi:10.1007/s10035-008-0099-x",

@@ -1,6 +1,7 @@
 //! Every law, one file each.
 use crate::law::{Alone, Entry, ForLanes, Kind};
 
+pub mod bond_nonlinear;
 pub mod cdt;
 pub mod cdt_jkr;
 pub mod formulas;
@@ -20,6 +21,7 @@ pub const fn all<U: ForLanes>() -> &'static [Entry<U>] {
             Entry::lanes::<hooke::Hooke>(),
             Entry::lanes::<hertz::Hertz>(),
             Entry::lanes::<hooke_hysteresis::HookeHysteresis>(),
+            Entry::scalar::<bond_nonlinear::BondNonlinear>(),
             Entry::lanes::<no_history::NoHistory>(),
             Entry::lanes::<history::History>(),
             Entry::lanes::<cdt::Cdt>(),

@@ -113,7 +113,7 @@ impl Particle {
     /// The particle without its type.
     pub fn body(&self) -> Body {
         let Particle { tag, radius, mass, x, v, omega, .. } = *self;
-        Body { tag, radius, mass, x, v, omega }
+        Body { tag, radius, mass, x, v, omega, ..Body::default() }
     }
 }
 
@@ -156,14 +156,6 @@ impl LawSpec {
     fn setup(&self, types: usize, nktv2p: f64, slots: &[String]) -> Result<Setup, HeaderError> {
         let entry = self.kind().and_then(|k| find(k, &self.keyword)).expect("laws are looked up first");
         let meta = entry.meta;
-        let own = slots.get(self.offset..self.offset + meta.slots.len());
-        if !own.is_some_and(|own| own.iter().zip(meta.slots).all(|(a, b)| a == b.name)) {
-            let names: Vec<_> = meta.slots.iter().map(|s| s.name).collect();
-            let at = self.offset;
-            return Err(
-                self.wrong(format!("its history ({}) is not at slot {at} of {slots:?}", names.join(", ")))
-            );
-        }
         let mut settings = Settings::new(meta, self.taken_over);
         for (name, option) in &self.settings {
             settings.set(name, option)?;
@@ -180,6 +172,13 @@ impl LawSpec {
             of[k].clone_from(&p.values);
         }
         let setup = Setup { meta, settings, values: Values { types, of }, nktv2p };
+        let names: Vec<_> = setup.slots().map(|s| s.name).collect();
+        if slots.get(self.offset..self.offset + names.len()).is_none_or(|own| own != names) {
+            let at = self.offset;
+            return Err(
+                self.wrong(format!("its history ({}) is not at slot {at} of {slots:?}", names.join(", ")))
+            );
+        }
         setup.check()?;
         Ok(setup)
     }

@@ -53,7 +53,7 @@ fn row() -> Row {
         n *= -1.1;
         n
     };
-    let call = Call { dt: next(), step: 12, update: true, is_wall: true };
+    let call = Call { dt: next(), step: 12, update: true, is_wall: true, ..Call::default() };
     let mut vector = || Vector3::new(next(), next(), next());
     let body = |tag, v: &mut dyn FnMut() -> Vector3<f64>| Body {
         tag,
@@ -62,6 +62,7 @@ fn row() -> Row {
         x: v(),
         v: v(),
         omega: v(),
+        ..Body::default()
     };
     let (i, j) = (body(3, &mut vector), body(-1, &mut vector));
     let gap = Gap { call, i, j, delta: vector(), rsq: vector().x, meff: vector().y };

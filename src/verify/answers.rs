@@ -10,7 +10,7 @@ use crate::report::{Case, Check, Curve, Parameter, Shows, Worst};
 use crate::trace::{Header, LawSpec, Property, Reader, Row, TraceError};
 use std::path::{Path, PathBuf};
 
-/// Enter laws and coefficients in the case; the result counts calls, and calls with overlapping surfaces.
+/// Enter laws and coefficients in the case; the result counts calls, and those with overlapping surfaces or a force.
 pub(super) fn describe(traces: &[PathBuf], case: &mut Case) -> Result<(u64, u64), String> {
     if traces.is_empty() {
         return Err("nothing was recorded: the deck has no pair style or wall made of contact models (pair_style gran, fix wall/gran)".into());
@@ -21,7 +21,7 @@ pub(super) fn describe(traces: &[PathBuf], case: &mut Case) -> Result<(u64, u64)
         let (mut row, mut calls, mut touches) = (Row::default(), 0, 0);
         while reader.read(&mut row)? {
             calls += 1;
-            touches += u64::from(row.touch);
+            touches += u64::from(row.touch || row.has_force);
         }
         Ok((calls, touches))
     };

@@ -126,7 +126,7 @@ impl Trial<'_> {
             _ if touches == 0 => checks::could_not(
                 name,
                 Shows::Boundary,
-                "no contact: no two surfaces touched in a recorded step, so nothing is proved; let them meet, or record more steps (# granlaw: every)",
+                "no contact: no two surfaces touched in a recorded step and no bond held, so nothing is proved; let them meet, or record more steps (# granlaw: every)",
             ),
             _ if stock.ran.dumps.is_empty() => {
                 checks::skipped(name, Shows::Boundary, "the deck writes no text dump to compare")

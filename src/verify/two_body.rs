@@ -110,7 +110,8 @@ impl Scale {
         let peak = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).fold(0.0, f64::max);
         let speed = |b: &Body| b.v.norm().max(b.omega.norm() * b.radius);
         Scale {
-            overlap: peak(&|r| r.surface.deltan),
+            // Of bodies that never touch, the gap.
+            overlap: peak(&|r| (r.gap.i.radius + r.gap.j.radius - r.gap.rsq.sqrt()).abs()),
             speed: peak(&|r| speed(&r.gap.i).max(speed(&r.gap.j))),
             force: peak(&|r| r.force_i.norm()),
         }

@@ -209,7 +209,7 @@ fn touching(spin: [Vector3<f64>; 2]) -> (Contact, Stage) {
     let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;
     (i.omega, j.omega, j.tag) = (spin[0], spin[1], 2);
     i.x = n * (1.6 * R - 1e-5);
-    let call = Call { dt: 1e-6, step: 1, update: true, is_wall: false };
+    let call = Call { dt: 1e-6, step: 1, update: true, ..Call::default() };
     let gap = Gap { call, i, j, delta: i.x, rsq: i.x.norm_squared(), meff: 0.0 }.weighed();
     let torque = Vector3::new(2.0, -1.0, 0.0) * 1e-6;
     (Contact::pair(gap), Stage { torque_i: torque, torque_j: 0.6 * torque, ..Stage::default() })

@@ -26,7 +26,7 @@ const GIVEN: Given<'_> = &[
 fn contact(v: Vector3<f64>) -> Contact {
     let i = Body { v, x: Vector3::x() * (2.0 * R - OVERLAP), ..sphere(R, 2500.0) };
     let j = Body { tag: 2, ..sphere(R, 2500.0) };
-    let call = Call { dt: 1e-6, step: 1, update: true, is_wall: false };
+    let call = Call { dt: 1e-6, step: 1, update: true, ..Call::default() };
     Contact::pair(Gap { call, i, j, delta: i.x, rsq: i.x.norm_squared(), meff: i.mass / 2.0 })
 }
 

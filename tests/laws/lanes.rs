@@ -51,7 +51,7 @@ fn handed_on(c: &Case) -> Stage {
         force,
         torque_i,
         torque_j,
-        mark: Mark::Leave,
+        ..Stage::default()
     }
 }
 

@@ -5,17 +5,17 @@ use nalgebra::{Rotation3, Vector3};
 use std::cell::RefCell;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
-type Outcome = Result<(), String>;
+pub type Outcome = Result<(), String>;
 
 /// Two numbers agree within `tolerance` of `scale`.
-fn close(what: &str, a: f64, b: f64, tolerance: f64, scale: f64) -> Outcome {
+pub fn close(what: &str, a: f64, b: f64, tolerance: f64, scale: f64) -> Outcome {
     if (a - b).abs() <= tolerance * scale {
         return Ok(());
     }
     Err(format!("{what}: {a:e} against {b:e}, scale {scale:e}"))
 }
 
-fn close3(what: &str, a: &Vector3<f64>, b: &Vector3<f64>, tolerance: f64, scale: f64) -> Outcome {
+pub fn close3(what: &str, a: &Vector3<f64>, b: &Vector3<f64>, tolerance: f64, scale: f64) -> Outcome {
     close(what, (a - b).norm(), 0.0, tolerance, scale)
 }
 
@@ -27,7 +27,7 @@ pub fn force_scale(s: &Stage, x: &Contact, h: &[f64]) -> f64 {
 }
 
 /// Runs of three slots named …x, …y, …z are vectors.
-fn vectors(slots: &[Slot]) -> Vec<usize> {
+pub fn vectors(slots: &[Slot]) -> Vec<usize> {
     let named = |k: usize, axis: &str| slots.get(k).and_then(|s| s.name.strip_suffix(axis));
     let is_vector = |k: &usize| {
         let stem = named(*k, "x");
@@ -125,7 +125,7 @@ pub fn units(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let (m, kg, s) = (2f64.powi(6), 2f64.powi(-4), 2f64.powi(8));
     let tolerance = 1e-14;
     let scale = |pm: i32, pkg: i32, ps: i32| m.powi(pm) * kg.powi(pkg) * s.powi(ps);
-    let of = |u: &Unit| scale(u.m.into(), u.kg.into(), u.s.into());
+    let of = |u: &Unit| m.sqrt().powi(u.m2.into()) * scale(0, u.kg.into(), u.s.into());
     let mut other = r.clone();
     for setup in &mut other.setups {
         for (p, values) in setup.meta.props.iter().zip(&mut setup.values.of) {

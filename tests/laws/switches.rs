@@ -29,7 +29,7 @@ impl Bench {
             }
         }
         let body = |tag| Body { tag, radius: 5e-3, mass: 1e-3, ..Body::default() };
-        let call = Call { dt: 1e-6, step: 1, update: false, is_wall: false };
+        let call = Call { dt: 1e-6, step: 1, update: false, ..Call::default() };
         let x = placed(call, body(1), body(2), Vector3::x(), 1e-5);
         let mut subject = Recipe { setups: vec![setup], fault }.subject();
         let kn = subject.touch((0, 0), &x, &mut [0.0]).kn;

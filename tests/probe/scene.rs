@@ -67,6 +67,7 @@ pub fn start() -> Start {
         x: Vector3::new(x, 0.0, 0.0),
         v: v.into(),
         omega: omega.into(),
+        ..Body::default()
     };
     Start {
         bodies: [

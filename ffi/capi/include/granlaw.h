@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /* Goes up whenever a struct or the meaning of a call changes. Compare with granlaw_abi_version(). */
-#define GRANLAW_ABI_VERSION 1
+#define GRANLAW_ABI_VERSION 2
 
 /* How a call ended. */
 typedef int32_t granlaw_status;
@@ -77,6 +77,16 @@ typedef struct granlaw_slot {
   const char *unit;
 } granlaw_slot;
 
+/* How many properties of single atoms there are room for in granlaw_pass. */
+enum { GRANLAW_ATOM_PROPS = 1 };
+
+/* A number that a deck may give every atom. */
+typedef struct granlaw_atom_prop {
+  const char *name;                  /* as in fix property/atom */
+  const char *doc;
+  size_t place;                      /* where it stands in granlaw_pass.given */
+} granlaw_atom_prop;
+
 /* A law. */
 typedef struct granlaw_law {
   int32_t kind;                      /* GRANLAW_NORMAL, ... */
@@ -92,6 +102,10 @@ typedef struct granlaw_law {
   size_t n_props;
   const granlaw_setting *settings;
   size_t n_settings;
+  const granlaw_atom_prop *atoms;    /* what it reads of each atom where the deck gives it */
+  size_t n_atoms;
+  bool anchors;                      /* whether it holds particles to a point of a wall */
+  const char *bonds;                 /* what it calls the bonds that it keeps; NULL if it keeps none */
   const granlaw_slot *slots;
   size_t n_slots;
 } granlaw_law;
@@ -109,6 +123,8 @@ bool granlaw_needs_property(size_t law, bool taken_over, const int32_t *options,
 
 /* Whether the law does what the settings ask for, before its properties are known; granlaw_prepare checks it again. */
 granlaw_status granlaw_check_settings(size_t law, bool taken_over, const int32_t *options);
+/* Whether there is room for slot `slot` in a row of history when the settings stand at `options`. */
+bool granlaw_needs_slot(size_t law, bool taken_over, const int32_t *options, size_t slot);
 
 /* ---- prepare ---- */
 
@@ -136,6 +152,20 @@ typedef struct granlaw_chain granlaw_chain;
 granlaw_status granlaw_prepare(const granlaw_setup *setup, granlaw_chain **out);
 /* Free a chain; NULL is allowed. */
 void granlaw_free(granlaw_chain *chain);
+
+/* What the user should know of a set-up that is allowed but asks for trouble; NULL beyond the last. Lives as the chain. */
+const char *granlaw_remark(const granlaw_chain *chain, size_t k);
+/* Up to which multiple of the sum of radii contacts must be found, 1 to 10; `rmin` is the smallest radius [m]. */
+granlaw_status granlaw_contact_distance_factor(const granlaw_chain *chain, double rmin, double *out);
+
+/* What is known of a wall before the run. */
+typedef struct granlaw_wall {
+  double skin;                       /* gap beyond which it lists no particle [m]; infinite if it looks as far as asked */
+  bool turns;                        /* whether it turns or changes its shape */
+} granlaw_wall;
+
+/* Whether the wall lets the laws do what they do. */
+granlaw_status granlaw_check_wall(const granlaw_chain *chain, const granlaw_wall *wall, double rmin);
 
 /* ---- contacts: these structs mirror LIGGGHTS 3.8's contact_interface.h, field by field ---- */
 
@@ -178,7 +208,7 @@ typedef struct granlaw_surfaces_intersect_data {
   double P_diss;                     /* not used */
 } granlaw_surfaces_intersect_data;
 
-/* LIGGGHTS: ForceData: what the laws of this contact have given so far. Added to, never cleared. */
+/* LIGGGHTS: ForceData: what the laws of this contact have given so far. Added to; a law that keeps bonds may replace it. */
 typedef struct granlaw_force_data {
   double delta_F[3];                 /* [N] */
   double delta_torque[3];            /* [N m] */
@@ -192,6 +222,8 @@ typedef struct granlaw_pass {
   const int *tag;                    /* numbers of the particles */
   const int *mask;                   /* group bits of the particles; not read where frozen is 0 */
   int frozen;                        /* group bit of the particles that are held in place; 0 for none */
+  int n_local;                       /* particles of this rank: lower indices; a pair with another is counted once */
+  const double *given[GRANLAW_ATOM_PROPS]; /* one number per particle, NULL where the deck gives none */
 } granlaw_pass;
 
 /* Once before the contacts of a step, and before any single wall contact. */
@@ -204,6 +236,14 @@ granlaw_status granlaw_surfaces_close(granlaw_chain *chain, granlaw_surfaces_clo
                                       granlaw_force_data *i_forces, granlaw_force_data *j_forces);
 /* After the contacts of a step. */
 granlaw_status granlaw_end_pass(granlaw_chain *chain);
+
+/* The bonds that a chain has seen since it was prepared. */
+typedef struct granlaw_bonds {
+  uint64_t begun, ended;             /* how many began and ended */
+  uint64_t there;                    /* how many there were in step `step` */
+  int64_t step;                      /* the step that was counted last */
+} granlaw_bonds;
+granlaw_status granlaw_count_bonds(const granlaw_chain *chain, granlaw_bonds *out);
 
 /* Why the last failing call of this thread failed; never NULL, valid until the next failing call of the thread. */
 const char *granlaw_last_error(void);

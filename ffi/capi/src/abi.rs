@@ -1,4 +1,4 @@
-pub const GRANLAW_ABI_VERSION: u32 = 1;
+pub const GRANLAW_ABI_VERSION: u32 = 2;
 pub type granlaw_status = i32;
 pub const GRANLAW_OK: _bindgen_ty_1 = 0;
 pub const GRANLAW_REFUSED: _bindgen_ty_1 = 1;
@@ -52,6 +52,15 @@ pub struct granlaw_slot {
     pub newton: *const ::std::os::raw::c_char,
     pub unit: *const ::std::os::raw::c_char,
 }
+pub const GRANLAW_ATOM_PROPS: _bindgen_ty_5 = 1;
+pub type _bindgen_ty_5 = ::std::os::raw::c_uint;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct granlaw_atom_prop {
+    pub name: *const ::std::os::raw::c_char,
+    pub doc: *const ::std::os::raw::c_char,
+    pub place: usize,
+}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct granlaw_law {
@@ -68,6 +77,10 @@ pub struct granlaw_law {
     pub n_props: usize,
     pub settings: *const granlaw_setting,
     pub n_settings: usize,
+    pub atoms: *const granlaw_atom_prop,
+    pub n_atoms: usize,
+    pub anchors: bool,
+    pub bonds: *const ::std::os::raw::c_char,
     pub slots: *const granlaw_slot,
     pub n_slots: usize,
 }
@@ -87,6 +100,12 @@ pub struct granlaw_setup {
     pub n_laws: usize,
     pub n_types: usize,
     pub nktv2p: f64,
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct granlaw_wall {
+    pub skin: f64,
+    pub turns: bool,
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -158,4 +177,14 @@ pub struct granlaw_pass {
     pub tag: *const ::std::os::raw::c_int,
     pub mask: *const ::std::os::raw::c_int,
     pub frozen: ::std::os::raw::c_int,
+    pub n_local: ::std::os::raw::c_int,
+    pub given: [*const f64; 1usize],
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct granlaw_bonds {
+    pub begun: u64,
+    pub ended: u64,
+    pub there: u64,
+    pub step: i64,
 }

@@ -133,6 +133,9 @@ unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 
                 mass
             }
         };
+        let given = |k: i32| {
+            pass.given.map(|given| if given.is_null() { f64::NEG_INFINITY } else { *given.add(k as usize) })
+        };
         let delta = Vector3::from(s.delta);
         let (x, mass_i) = (place(s.i), heavy(s.i, mass[0]));
         let i = Body {
@@ -142,15 +145,17 @@ unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 
             x,
             v: vector(s.v_i),
             omega: vector(s.omega_i),
+            given: given(s.i),
         };
         let j = if s.is_wall {
             let tag = -1 - i64::from(s.j.max(0));
             Body { tag, x: x - delta, v: vector(s.v_j), ..Body::default() }
         } else {
-            let (x, omega) = (place(s.j), vector(s.omega_j));
-            Body { tag: tag(s.j), radius: s.radj, mass: heavy(s.j, mass[1]), x, v: vector(s.v_j), omega }
+            let (x, omega, mass) = (place(s.j), vector(s.omega_j), heavy(s.j, mass[1]));
+            let (v, given) = (vector(s.v_j), given(s.j));
+            Body { tag: tag(s.j), radius: s.radj, mass, x, v, omega, given }
         };
-        Gap { call: call(pass, s), i, j, delta, rsq: s.rsq, meff: 0.0 }
+        Gap { call: call(pass, s, i.tag, j.tag), i, j, delta, rsq: s.rsq, meff: 0.0 }
     }
 }
 
@@ -186,6 +191,13 @@ pub fn finite(x: &Contact) -> bool {
     (s.deltan + s.vn + s.en.sum() + s.vtr.sum() + s.roll.sum() + s.cri + s.crj + x.gap.meff).is_finite()
 }
 
+/// The same of two bodies that do not touch.
+#[inline]
+pub fn finite_apart(x: &Gap) -> bool {
+    let moves = |b: &Body| b.x.sum() + b.v.sum() + b.omega.sum();
+    (x.delta.sum() + moves(&x.i) + moves(&x.j)).is_finite()
+}
+
 /// What to say of it.
 #[cold]
 pub fn non_finite(laws: impl Iterator<Item = &'static Meta>, x: &Contact) -> Failure {
@@ -214,6 +226,9 @@ pub fn hand_out(
     fj: &mut granlaw_force_data,
 ) {
     let share = if s.is_wall { s.area_ratio } else { 1.0 };
+    if stage.replaces {
+        (fi.delta_F, fj.delta_F) = ([0.0; 3], [0.0; 3]);
+    }
     for k in 0..3 {
         fi.delta_F[k] += stage.force[k] * share;
         fi.delta_torque[k] = stage.torque_i[k] * share;

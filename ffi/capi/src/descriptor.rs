@@ -1,7 +1,7 @@
 //! `LAWS` as C sees them, built once and kept for ever.
 use crate::abi::*;
 use crate::c_string;
-use granlaw::law::{Kind, Meta, Newton, Prop, Reach, Setting, Shape, Slot, Support};
+use granlaw::law::{AtomProp, Kind, Meta, Newton, Prop, Reach, Setting, Shape, Slot, Support};
 use granlaw::laws::LAWS;
 use std::ffi::c_char;
 use std::sync::OnceLock;
@@ -25,6 +25,7 @@ fn text(s: &str) -> *const c_char {
 fn law(m: &Meta) -> granlaw_law {
     let props: &[granlaw_prop] = Vec::leak(m.props.iter().map(prop).collect());
     let settings: &[granlaw_setting] = Vec::leak(m.settings.iter().map(setting).collect());
+    let atoms: &[granlaw_atom_prop] = Vec::leak(m.atoms.iter().map(atom).collect());
     let slots: &[granlaw_slot] = Vec::leak(m.slots.iter().map(slot).collect());
     granlaw_law {
         kind: match m.kind {
@@ -45,6 +46,10 @@ fn law(m: &Meta) -> granlaw_law {
         n_props: props.len(),
         settings: settings.as_ptr(),
         n_settings: settings.len(),
+        atoms: atoms.as_ptr(),
+        n_atoms: atoms.len(),
+        anchors: m.anchors,
+        bonds: m.bonds.map_or(std::ptr::null(), text),
         slots: slots.as_ptr(),
         n_slots: slots.len(),
     }
@@ -85,6 +90,10 @@ fn setting(s: &Setting) -> granlaw_setting {
         } as i32,
         doc: text(s.doc),
     }
+}
+
+fn atom(a: &AtomProp) -> granlaw_atom_prop {
+    granlaw_atom_prop { name: text(a.name), doc: text(a.doc), place: a.place }
 }
 
 fn slot(s: &Slot) -> granlaw_slot {

@@ -12,17 +12,30 @@ mod descriptor;
 pub mod status;
 
 use abi::*;
-use granlaw::chain::{Chain, Marks};
-use granlaw::law::{Call, Stage};
+use granlaw::chain::{Bonds, Chain, Marks, Wall};
+use granlaw::law::{Call, Contact, Stage};
 use granlaw::laws::LAWS;
 use status::{boundary, Failure};
 use std::ffi::{c_char, CString};
+use std::ptr::null;
 
 /// A prepared chain with what holds for the present pass.
 pub struct granlaw_chain {
     chain: Chain,
     pass: granlaw_pass,
+    remarks: Vec<CString>,
 }
+
+const NO_PASS: granlaw_pass = granlaw_pass {
+    dt: 0.0,
+    step: 0,
+    x: null(),
+    tag: null(),
+    mask: null(),
+    frozen: 0,
+    n_local: 0,
+    given: [null(); GRANLAW_ATOM_PROPS as usize],
+};
 
 #[no_mangle]
 pub extern "C" fn granlaw_abi_version() -> u32 {
@@ -82,6 +95,24 @@ pub unsafe extern "C" fn granlaw_check_settings(
 }
 
 #[no_mangle]
+pub unsafe extern "C" fn granlaw_needs_slot(
+    law: usize,
+    taken_over: bool,
+    options: *const i32,
+    slot: usize,
+) -> bool {
+    let mut needed = false;
+    boundary(|| {
+        // SAFETY: the caller gives one option per setting of that law, or NULL.
+        let settings = unsafe { convert::settings(law, taken_over, options) }?;
+        let slot = LAWS[law].meta.slots.get(slot).ok_or(Failure::misuse("slot is not one of that law"))?;
+        needed = settings.need(slot.need);
+        Ok(())
+    });
+    needed
+}
+
+#[no_mangle]
 pub unsafe extern "C" fn granlaw_prepare(
     setup: *const granlaw_setup,
     out: *mut *mut granlaw_chain,
@@ -96,9 +127,8 @@ pub unsafe extern "C" fn granlaw_prepare(
         // SAFETY: the arrays in `setup` have the lengths that granlaw.h states.
         let (setups, offsets) = unsafe { convert::setups(setup) }?;
         let chain = Chain::new(&setups, &offsets).map_err(|e| Failure::refused(e.to_string()))?;
-        let none = std::ptr::null();
-        let pass = granlaw_pass { dt: 0.0, step: 0, x: std::ptr::null(), tag: none, mask: none, frozen: 0 };
-        *out = Box::into_raw(Box::new(granlaw_chain { chain, pass }));
+        let remarks = chain.remarks().map(c_string).collect();
+        *out = Box::into_raw(Box::new(granlaw_chain { chain, pass: NO_PASS, remarks }));
         Ok(())
     })
 }
@@ -112,6 +142,61 @@ pub unsafe extern "C" fn granlaw_free(chain: *mut granlaw_chain) {
             Ok(())
         });
     }
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_remark(chain: *const granlaw_chain, k: usize) -> *const c_char {
+    // SAFETY: the caller gives a valid pointer or NULL.
+    let chain = unsafe { chain.as_ref() };
+    chain.and_then(|c| c.remarks.get(k)).map_or(null(), |r| r.as_ptr())
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_contact_distance_factor(
+    chain: *const granlaw_chain,
+    rmin: f64,
+    out: *mut f64,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives valid pointers or NULL, which is refused here.
+        let (Some(c), Some(out)) = (unsafe { (chain.as_ref(), out.as_mut()) }) else {
+            return Err(Failure::misuse("chain or out is NULL"));
+        };
+        *out = c.chain.contact_distance_factor(rmin).map_err(|e| Failure::refused(e.to_string()))?;
+        Ok(())
+    })
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_check_wall(
+    chain: *const granlaw_chain,
+    wall: *const granlaw_wall,
+    rmin: f64,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives valid pointers or NULL, which is refused here.
+        let (Some(c), Some(wall)) = (unsafe { (chain.as_ref(), wall.as_ref()) }) else {
+            return Err(Failure::misuse("chain or wall is NULL"));
+        };
+        let wall = Wall { skin: Some(wall.skin).filter(|s| s.is_finite()), turns: wall.turns };
+        c.chain.check_wall(&wall, rmin).map_err(|e| Failure::refused(e.to_string()))
+    })
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_count_bonds(
+    chain: *const granlaw_chain,
+    out: *mut granlaw_bonds,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the caller gives valid pointers or NULL, which is refused here.
+        let (Some(c), Some(out)) = (unsafe { (chain.as_ref(), out.as_mut()) }) else {
+            return Err(Failure::misuse("chain or out is NULL"));
+        };
+        let Bonds { begun, ended, there, step } = c.chain.bonds();
+        *out = granlaw_bonds { begun, ended, there, step };
+        Ok(())
+    })
 }
 
 #[no_mangle]
@@ -179,15 +264,16 @@ pub unsafe extern "C" fn granlaw_surfaces_close(
         let types = convert::types(s, c.chain.types())?;
         // SAFETY: the gap's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
         let x = unsafe { convert::parted(&c.pass, s, [mi, mj]) };
+        if !convert::finite_apart(&x) {
+            return Err(convert::non_finite(c.chain.laws(), &Contact { gap: x, ..Contact::default() }));
+        }
         let mut stage = convert::stage(s, fi, fj);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.contact_history, c.chain.row()) }?;
         let marks = c.chain.apart(types, &x, row, &mut stage);
         // SAFETY: contact_flags is NULL or valid.
         unsafe { mark(s.contact_flags, marks) };
-        if stage.force != Stage::<f64>::default().force {
-            s.has_force_update = true;
-        }
+        s.has_force_update |= stage.acts || stage.force != Stage::<f64>::default().force;
         convert::hand_out(&stage, s, fi, fj);
         Ok(())
     })
@@ -210,9 +296,11 @@ unsafe fn mark(flags: *mut i32, marks: Marks) {
     }
 }
 
-fn call(pass: &granlaw_pass, s: &granlaw_surfaces_close_data) -> Call {
+fn call(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, tag_i: i64, tag_j: i64) -> Call {
     let update = s.computeflag != 0 && s.shearupdate != 0;
-    Call { dt: pass.dt, step: pass.step, update, is_wall: s.is_wall }
+    // A pair that two ranks see is counted by the owner of the lower tag, as traces are written.
+    let counts = s.computeflag != 0 && (s.is_wall || s.j < pass.n_local || tag_i < tag_j);
+    Call { dt: pass.dt, step: pass.step, update, counts, is_wall: s.is_wall }
 }
 
 fn c_string(text: &str) -> CString {

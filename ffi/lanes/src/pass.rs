@@ -141,7 +141,7 @@ impl<L: Unit + 'static> Pass<L> {
         if !self.fitted.is_empty() {
             self.fit(p)?;
         }
-        let call = Call { dt: a.dt, step: a.step, update: a.update, is_wall: false };
+        let call = Call { dt: a.dt, step: a.step, update: a.update, ..Call::default() };
         let mut marks = Marks::default();
         for link in &mut self.links {
             let bit = 1 << link.meta.kind as i32;

@@ -6,11 +6,13 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "force.h"
 #include "global_properties.h"
@@ -21,13 +23,16 @@
 #include "settings.h"
 #include "update.h"
 #include "mirror.hpp"
+#include "wall.hpp"
 
 // LIGGGHTS's macro would print a path of the machine that built us.
 #define GRANLAW_HERE "granlaw", __LINE__
 
 namespace granlaw {
 using namespace LIGGGHTS;
+using LAMMPS_NS::FixPropertyAtom;
 using LAMMPS_NS::FixPropertyGlobal;
+using LAMMPS_NS::FixWallGran;
 using LAMMPS_NS::LAMMPS;
 using LAMMPS_NS::PairGran;
 
@@ -38,11 +43,37 @@ inline double mass(LAMMPS *lmp, PairGran *pair, int i) {
   return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
 }
 
+// What a deck gives single atoms, for the laws of a chain.
+class Given {
+ public:
+  explicit Given(LAMMPS *lmp) : lmp_(lmp), fixes_() {}
+
+  void look_for(const granlaw_law &d) {
+    for (size_t k = 0; k < d.n_atoms; k++)
+      fixes_[d.atoms[k].place] = static_cast<FixPropertyAtom *>(
+          lmp_->modify->find_fix_property(d.atoms[k].name, "property/atom", "scalar", 0, 0, d.own_keyword, false));
+  }
+  // Ghosts are new after each build of neighbour lists.
+  void refresh() {
+    for (FixPropertyAtom *fix : fixes_)
+      if (fix && lmp_->neighbor->ago == 0) fix->do_forward_comm();
+  }
+  void fill(granlaw_pass &pass) const {
+    for (size_t k = 0; k < GRANLAW_ATOM_PROPS; k++) pass.given[k] = fixes_[k] ? fixes_[k]->vector_atom : nullptr;
+  }
+
+ private:
+  LAMMPS *lmp_;
+  FixPropertyAtom *fixes_[GRANLAW_ATOM_PROPS];
+};
+
 // What holds for the contacts of a step; `pair` is NULL for a wall.
-inline granlaw_pass pass_of(LAMMPS *lmp, PairGran *pair) {
+inline granlaw_pass pass_of(LAMMPS *lmp, PairGran *pair, const Given &given) {
   const LAMMPS_NS::Atom *atom = lmp->atom;
-  return granlaw_pass{lmp->update->dt, static_cast<int64_t>(lmp->update->ntimestep), atom->x ? atom->x[0] : nullptr,
-                      atom->tag, atom->mask, pair ? pair->freeze_group_bit() : 0};
+  granlaw_pass pass = {lmp->update->dt, static_cast<int64_t>(lmp->update->ntimestep), atom->x ? atom->x[0] : nullptr,
+                       atom->tag, atom->mask, pair ? pair->freeze_group_bit() : 0, atom->nlocal, {}};
+  given.fill(pass);
+  return pass;
 }
 
 // A setting whose options are words of its own.
@@ -101,11 +132,11 @@ class Law {
  public:
   Law(LAMMPS *lmp, IContactHistorySetup *history, size_t index, bool taken_over)
       : lmp_(lmp), index_(index), taken_over_(taken_over), d_(*granlaw_law_at(index)),
-        on_(new bool[d_.n_settings + 1]()), options_(d_.n_settings, -1), values_(d_.n_props), offset_(0) {
-    for (size_t k = 0; k < d_.n_slots; k++) {
-      const int at = history->add_history_value(d_.slots[k].name, d_.slots[k].newton);
-      if (k == 0) offset_ = at;
-    }
+        on_(new bool[d_.n_settings + 1]()), options_(d_.n_settings, -1), values_(d_.n_props), offset_(0),
+        waiting_(nullptr) {
+    // A stock law's history lies where LIGGGHTS has it, for the sake of restart files. Ours may hang on settings.
+    if (d_.stock_id >= 0) add_slots(history);
+    else waiting_ = history;
   }
 
   const granlaw_law &descriptor() const { return d_; }
@@ -125,6 +156,12 @@ class Law {
   }
 
   void postSettings() {
+    settle();
+    if (waiting_) add_slots(waiting_);
+    waiting_ = nullptr;
+  }
+
+  void settle() {
     for (size_t k = 0; k < d_.n_settings; k++) {
       if (!offered(k) || !is_switch(k)) continue;
       options_[k] = on_[k] ? 1 : 0;
@@ -161,6 +198,15 @@ class Law {
   }
 
  private:
+  void add_slots(IContactHistorySetup *history) {
+    bool first = true;
+    for (size_t k = 0; k < d_.n_slots; k++) {
+      if (!granlaw_needs_slot(index_, taken_over_, options_.data(), k)) continue;
+      const int at = history->add_history_value(d_.slots[k].name, d_.slots[k].newton);
+      if (first) offset_ = at;
+      first = false;
+    }
+  }
   bool is_switch(size_t k) const {
     const granlaw_setting &s = d_.settings[k];
     return s.n_options == 2 && !strcmp(s.options[0], "off") && !strcmp(s.options[1], "on");
@@ -235,6 +281,7 @@ class Law {
   std::vector<std::vector<double> > values_;
   std::vector<const double *> pointers_;
   int offset_;
+  IContactHistorySetup *waiting_;  // whom to ask for history once the settings are known
 };
 
 // Rust laws that follow each other in a chain, run by one call.
@@ -242,9 +289,23 @@ class Segment {
  public:
   // `parent` is the PairGran or FixWallGran that the contacts come from.
   Segment(LAMMPS *lmp, IContactHistorySetup *parent)
-      : lmp_(lmp), pair_(dynamic_cast<PairGran *>(parent)), wall_(dynamic_cast<FixWallGran *>(parent)), chain_(nullptr) {}
+      : lmp_(lmp), pair_(dynamic_cast<PairGran *>(parent)), wall_(dynamic_cast<FixWallGran *>(parent)), given_(lmp),
+        chain_(nullptr), before_() {
+    all().insert(this);
+  }
   Segment(const Segment &) = delete;
-  ~Segment() { granlaw_free(chain_); }
+  ~Segment() {
+    all().erase(this);
+    granlaw_free(chain_);
+  }
+
+  // Every segment there is, for those who count.
+  static std::set<Segment *> &all() {
+    static std::set<Segment *> segments;
+    return segments;
+  }
+  bool of(LAMMPS *lmp) const { return lmp == lmp_; }
+  bool is_wall() const { return wall_ != nullptr; }
 
   Law &add(IContactHistorySetup *history, size_t index, bool taken_over) {
     laws_.emplace_back(new Law(lmp_, history, index, taken_over));
@@ -257,29 +318,40 @@ class Segment {
       law->connectToProperties(registry);
       choices_.push_back(law->choice());
     }
+    before_ = bonds();
     granlaw_free(chain_);
     types_ = static_cast<size_t>(registry.max_type());
     const granlaw_setup all = setup();
-    if (granlaw_prepare(&all, &chain_) == GRANLAW_OK) return;
-    const std::string who = wall_ ? std::string("fix ") + wall_->id + " wall/gran: " : "pair_style gran: ";
-    lmp_->error->all(GRANLAW_HERE, (who + granlaw_last_error()).c_str());
+    all_check(granlaw_prepare(&all, &chain_));
+    for (size_t k = 0; lmp_->comm->me == 0 && granlaw_remark(chain_, k); k++)
+      if (said_.insert(granlaw_remark(chain_, k)).second) lmp_->error->warning(GRANLAW_HERE, granlaw_remark(chain_, k));
+    reach(registry);
+  }
+
+  // Begun and ended since the segment was made; those that are there, if any were counted in this step.
+  granlaw_bonds bonds() const {
+    granlaw_bonds now = {0, 0, 0, 0};
+    if (chain_) granlaw_count_bonds(chain_, &now);
+    now.begun += before_.begun;
+    now.ended += before_.ended;
+    return now;
   }
   // Good until the properties are read again.
   granlaw_setup setup() const { return granlaw_setup{choices_.data(), choices_.size(), types_, lmp_->force->nktv2p}; }
 
   void beginPass() {
-    const granlaw_pass pass = pass_of(lmp_, pair_);
-    check(granlaw_begin_pass(chain_, &pass));
+    given_.refresh();
+    begin();
   }
   void endPass() { check(granlaw_end_pass(chain_)); }
 
   void surfacesIntersect(SurfacesIntersectData &s, ForceData &i_forces, ForceData &j_forces) {
-    if (s.is_wall) beginPass();  // walls never announce a pass
+    if (s.is_wall) begin();  // walls never announce a pass
     check(granlaw_surfaces_intersect(chain_, mirror(s), mirror(i_forces), mirror(j_forces)));
   }
 
   void surfacesClose(SurfacesCloseData &s, ForceData &i_forces, ForceData &j_forces) {
-    if (s.is_wall) beginPass();
+    if (s.is_wall) begin();
     LAMMPS_NS::Atom *atom = lmp_->atom;
     s.omega_i = atom->omega[s.i];  // stale or unset in LIGGGHTS
     if (!s.is_wall) s.omega_j = atom->omega[s.j];
@@ -288,8 +360,36 @@ class Segment {
   }
 
   const std::vector<std::unique_ptr<Law> > &laws() const { return laws_; }
+  const Given &given() const { return given_; }
 
  private:
+  void begin() {
+    const granlaw_pass pass = pass_of(lmp_, pair_, given_);
+    check(granlaw_begin_pass(chain_, &pass));
+  }
+
+  // Let LIGGGHTS look for contacts as far as the laws act, and let the laws look at the wall.
+  void reach(PropertyRegistry &registry) {
+    bool beyond = false;
+    for (const auto &law : laws_) {
+      given_.look_for(law->descriptor());
+      beyond = beyond || law->descriptor().beyond_contact;
+    }
+    if (!beyond) return;
+    const double rmin = registry.min_radius();
+    double factor = 1.0;
+    all_check(granlaw_contact_distance_factor(chain_, rmin, &factor));
+    lmp_->neighbor->register_contact_dist_factor(factor);
+    if (!wall_) return;
+    const granlaw_wall wall = look_at(wall_, lmp_->neighbor);
+    all_check(granlaw_check_wall(chain_, &wall, rmin));
+  }
+
+  void all_check(granlaw_status status) {
+    if (status == GRANLAW_OK) return;
+    const std::string who = wall_ ? std::string("fix ") + wall_->id + " wall/gran: " : "pair_style gran: ";
+    lmp_->error->all(GRANLAW_HERE, (who + granlaw_last_error()).c_str());
+  }
   void check(granlaw_status status) {
     if (status != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
@@ -297,9 +397,12 @@ class Segment {
   LAMMPS *lmp_;
   PairGran *pair_;
   FixWallGran *wall_;
+  Given given_;
   granlaw_chain *chain_;
   size_t types_ = 0;
   std::vector<granlaw_choice> choices_;
+  granlaw_bonds before_;        // of the chains of runs that are over
+  std::set<std::string> said_;  // remarks, each once
   std::vector<std::unique_ptr<Law> > laws_;
 };
 

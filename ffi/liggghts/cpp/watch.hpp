@@ -19,7 +19,7 @@ struct NoSlots : IContactHistorySetup {
 class Watch {
  public:
   Watch(LAMMPS *lmp, IContactHistorySetup *parent, bool is_wall)
-      : lmp_(lmp), pair_(is_wall ? nullptr : dynamic_cast<PairGran *>(parent)), recording_(!mode().record.empty()),
+      : lmp_(lmp), given_(lmp), pair_(is_wall ? nullptr : dynamic_cast<PairGran *>(parent)), recording_(!mode().record.empty()),
         probe_(Probe::of(lmp)), on_(recording_ || probe_), who_("pair"), recorder_(nullptr), begun_(false), n_(0) {
     if (FixWallGran *wall = is_wall ? dynamic_cast<FixWallGran *>(parent) : nullptr) who_ = std::string("wall ") + wall->id;
   }
@@ -49,6 +49,8 @@ class Watch {
   void connectToProperties(PropertyRegistry &registry, const std::vector<std::string> &slots) {
     if (!on_) return;
     for (auto &law : readers_) law->connectToProperties(registry);
+    for (const Seen &seen : laws_)
+      if (seen.law) given_.look_for(seen.law->descriptor());
     n_ = slots.size();
     before_.assign(n_ + 1, 0.0);
     open(registry.max_type(), slots);
@@ -98,7 +100,7 @@ class Watch {
     if (n_ && s.contact_history) std::copy(s.contact_history, s.contact_history + n_, before_.begin());
   }
 
-  void look() { pass_ = pass_of(lmp_, pair_); }
+  void look() { pass_ = pass_of(lmp_, pair_, given_); }
 
   // A contact that two ranks see is written by the one that owns the lower tag.
   bool mine(const SurfacesCloseData &s) const {
@@ -168,6 +170,7 @@ class Watch {
   }
 
   LAMMPS *lmp_;
+  Given given_;
   PairGran *pair_;
   bool recording_;
   Probe *probe_;

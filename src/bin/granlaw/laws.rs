@@ -72,16 +72,26 @@ fn explain(t: &mut String, meta: &Meta) -> fmt::Result {
         writeln!(t, "  {} {}  {}", s.name, s.options.join("|"), default(s))?;
         writeln!(t, "      {}{}", s.doc, support(s.support))?;
     }
+    if !meta.atoms.is_empty() {
+        writeln!(
+            t,
+            "\nRead of each atom where the deck gives it (fix ID all property/atom <name> scalar ...):"
+        )?;
+    }
+    for a in meta.atoms {
+        writeln!(t, "  {}\n      {}", a.name, a.doc)?;
+    }
     if !meta.slots.is_empty() {
         writeln!(t, "\nHistory kept per contact:")?;
     }
     for s in meta.slots {
         writeln!(
             t,
-            "  {} [{}]{}",
+            "  {} [{}]{}{}",
             s.name,
             s.unit.label,
-            if s.newton == Newton::Odd { ", odd under i-j swap" } else { "" }
+            if s.newton == Newton::Odd { ", odd under i-j swap" } else { "" },
+            needed(s.need).replace("needed", "kept"),
         )?;
     }
     writeln!(t, "\nSources:")?;
@@ -99,7 +109,13 @@ fn needed(need: Need) -> String {
         Need::Always => String::new(),
         Need::When(setting, option) => format!(" (needed with {setting} {option})"),
         Need::Unless(setting, option) => format!(" (not needed with {setting} {option})"),
+        Need::All(these) => format!(" (needed with {})", listed(these)),
+        Need::NotAll(these) => format!(" (not needed with {})", listed(these)),
     }
+}
+
+fn listed(these: &[(&str, &str)]) -> String {
+    these.iter().map(|(setting, option)| format!("{setting} {option}")).collect::<Vec<_>>().join(", ")
 }
 
 fn default(s: &Setting) -> String {
@@ -130,7 +146,9 @@ fn as_json(m: &Meta) -> Value {
         "properties": m.props.iter().map(prop).collect::<Vec<_>>(),
         "settings": m.settings.iter().map(setting).collect::<Vec<_>>(),
         "history": m.slots.iter().map(|s| json!({"name": s.name, "unit": s.unit.label,
-            "newton": s.newton == Newton::Odd})).collect::<Vec<_>>(),
+            "newton": s.newton == Newton::Odd, "kept": needed(s.need).replace("needed", "kept").trim()}))
+            .collect::<Vec<_>>(),
+        "per_atom": m.atoms.iter().map(|a| json!({"name": a.name, "doc": a.doc})).collect::<Vec<_>>(),
         "stress_strain_exponent": m.stress_strain_exponent, "coarse_graining": m.coarse_graining,
         "references": m.references,
         "exceptions": m.exceptions.iter().map(|e| json!({"rule": format!("{:?}", e.rule), "why": e.why}))

@@ -1,0 +1,246 @@
+//! The documented convention: kinematics, shear (7), (8), and what acts on the two bodies (13).
+//!
+//! With D now and D_o in the step before, n̄ along the mean of both and v = (D − D_o)/Δt (which serves every integrator;
+//! at a wall, where the anchor is kept instead of D_o, v is LIGGGHTS's):
+//! - (C1) vectors of the tangent plane are carried by the rotation that takes n_o to n, and then about n by the mean
+//!   spin: `b = a − (n_o+n)(a·n)/(1+n_o·n)`, `C(a) = b cos ψ + n×b sin ψ`, `ψ = ½(ω_i+ω_j)·n̄ Δt`
+//! - (7) `v_tr = P[v − (v·n̄) n̄ − (|D̄|/r) (r_ci ω_i + r_cj ω_j) × n̄]`, P the projection on the plane of n
+//! - (8) `F_t ← C(F_t) − kt A Δt v_tr`; twist `θn += Δt (ω_i−ω_j)·n̄`; bending `θt ← C(θt) + Δt P(ω_i−ω_j)`
+//!
+//! In an evaluation that may not write, nothing is carried or added: the stored state gives the answer.
+use super::bend::Disc;
+use super::coeffs::Modes;
+use super::{apart, creation, damping, failure, normal, seen_from, twist, Fit};
+use crate::law::{Gap, Life, Mark, Stage, Terms};
+use bytemuck::{Pod, Zeroable};
+use nalgebra::Vector3;
+
+/// The history of a bond; vectors as seen by the lower tag.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct History {
+    /// Distance when it began \[m\]; 0 where there is no bond.
+    pub r0: f64,
+    /// Largest overlap, not negative, and smallest, not positive \[m\].
+    pub extremes: [f64; 2],
+    /// Shear force \[N\], undamped.
+    pub shear: [f64; 3],
+    /// D of the step before; at a wall the anchor \[m\].
+    pub from: [f64; 3],
+    /// Bending angle \[rad\].
+    pub bend: [f64; 3],
+    /// Twist angle \[rad\].
+    pub twist: f64,
+    /// Its extremes \[rad\].
+    pub twists: [f64; 2],
+    /// Centre and radius of the disc that bending has visited \[rad\].
+    pub centre: [f64; 3],
+    /// See `centre`.
+    pub rho: f64,
+}
+
+/// What the bond carries, undamped.
+pub struct Loads {
+    /// F_n \[N\], positive when it pushes apart.
+    pub normal: f64,
+    /// F_t \[N\] on i.
+    pub shear: Vector3<f64>,
+    /// T_n \[N m\] on i, along n.
+    pub twist: f64,
+    /// T_t \[N m\] on i.
+    pub bend: Vector3<f64>,
+}
+
+/// How the two bodies move.
+struct Motion {
+    /// Distance \[m\] and unit normal.
+    r: f64,
+    n: Vector3<f64>,
+    /// Normals before and at half the way.
+    before: Vector3<f64>,
+    half: Vector3<f64>,
+    /// Relative velocity \[m/s\], and its part that shears the bond (7).
+    v: Vector3<f64>,
+    shear: Vector3<f64>,
+    /// Relative spin \[rad/s\].
+    turn: Vector3<f64>,
+    /// ψ/Δt \[rad/s\].
+    mean: f64,
+}
+
+/// One evaluation.
+pub fn act(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
+    if h.r0 == 0.0 {
+        return begin(f, x, h, s);
+    }
+    let mut now = *h;
+    let (m, side) = (Motion::new(f, x, &mut now), seen_from(x));
+    if x.call.update {
+        if failure::torn(f, apart(x, m.r)) {
+            return end(h, s);
+        }
+        m.advance(f, x.call.dt, &mut now, side);
+    }
+    let delta = now.r0 - m.r; // (1)
+    let loads = loads(f, delta, &mut now, side);
+    if x.call.update {
+        if failure::fails(f, delta, &loads) {
+            return end(h, s);
+        }
+        *h = now;
+    }
+    react(f, x, &m, &loads, s);
+    (s.mark, s.life) = (Mark::Set, Life::Lasts);
+}
+
+/// A new bond is at rest, and carries nothing in the evaluation in which it begins.
+fn begin(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
+    let r = x.rsq.sqrt();
+    if !creation::wanted(f, x, apart(x, r)) {
+        return;
+    }
+    let from = if x.call.is_wall { x.i.x - x.delta } else { x.delta * seen_from(x) };
+    *h = History { r0: r, from: from.into(), ..History::default() };
+    s.replace(Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
+    (s.mark, s.life) = (Mark::Set, Life::Begins);
+}
+
+/// A bond that breaks leaves nothing behind, and no force in the evaluation in which it breaks.
+fn end(h: &mut History, s: &mut Stage) {
+    *h = History::default();
+    (s.mark, s.life) = (Mark::Clear, Life::Ends);
+}
+
+impl Motion {
+    /// The motion, with the anchor or D moved on in `now` where history may be written.
+    fn new(f: &Fit, x: &Gap, now: &mut History) -> Motion {
+        let (update, dt, side) = (x.call.update, x.call.dt, seen_from(x));
+        let mut v = x.i.v - x.j.v;
+        let (d, old) = if x.call.is_wall {
+            let anchor = Vector3::from(now.from) + if update { x.j.v * dt } else { Vector3::zeros() };
+            now.from = anchor.into();
+            let d = x.i.x - anchor;
+            (d, if update { d - v * dt } else { d })
+        } else {
+            let old = if update { Vector3::from(now.from) * side } else { x.delta };
+            if update {
+                v = (x.delta - old) / dt;
+                now.from = (x.delta * side).into();
+            }
+            (x.delta, old)
+        };
+        let r = d.norm();
+        let n = d / r;
+        let middle = (d + old) * 0.5;
+        let half = middle.normalize();
+        let spin = x.i.omega * f.arms[0] + x.j.omega * f.arms[1];
+        let shear = v - half * v.dot(&half) - spin.cross(&middle); // (7); |D̄| n̄ is D̄
+        Motion {
+            r,
+            n,
+            before: old.normalize(),
+            half,
+            v,
+            shear: flat(&shear, &n),
+            turn: x.i.omega - x.j.omega,
+            mean: 0.5 * (x.i.omega + x.j.omega).dot(&half),
+        }
+    }
+
+    /// Carry the stored vectors with the bond and add what this step brings.
+    fn advance(&self, f: &Fit, dt: f64, now: &mut History, side: f64) {
+        let (sin, cos) = (self.mean * dt).sin_cos();
+        let (sum, scale) = (self.before + self.n, 1.0 / (1.0 + self.before.dot(&self.n)));
+        let carry = |stored: [f64; 3]| {
+            let a = Vector3::from(stored) * side;
+            let b = a - sum * (a.dot(&self.n) * scale);
+            b * cos + self.n.cross(&b) * sin // (C1)
+        };
+        let shear = carry(now.shear) - self.shear * (f.c.shear * f.area * dt); // (8)
+        let bend = carry(now.bend) + flat(&self.turn, &self.n) * dt;
+        let centre = carry(now.centre);
+        let mut disc = Disc { centre, rho: now.rho };
+        disc.visit(&bend);
+        now.twist += dt * self.turn.dot(&self.half);
+        now.twists = widened(now.twists, now.twist);
+        (now.shear, now.bend) = ((shear * side).into(), (bend * side).into());
+        (now.centre, now.rho) = ((disc.centre * side).into(), disc.rho);
+    }
+}
+
+/// The part of a vector in the plane of n.
+fn flat(a: &Vector3<f64>, n: &Vector3<f64>) -> Vector3<f64> {
+    a - n * a.dot(n)
+}
+
+/// Largest and smallest value with one more (4).
+fn widened([max, min]: [f64; 2], x: f64) -> [f64; 2] {
+    [x.max(max), x.min(min)]
+}
+
+fn loads(f: &Fit, delta: f64, now: &mut History, side: f64) -> Loads {
+    let c = &f.c;
+    now.extremes = widened(now.extremes, delta);
+    let [max, min] = now.extremes;
+    let mut l = Loads {
+        normal: normal::stress(c, delta, max, min) * f.area,
+        shear: Vector3::zeros(),
+        twist: 0.0,
+        bend: Vector3::zeros(),
+    };
+    if c.on.shear {
+        l.shear = Vector3::from(now.shear) * side;
+    }
+    if c.on.twist {
+        let [max, min] = now.twists;
+        l.twist = -f.polar * twist::stress(&c.twist, now.twist, max, min); // (9)
+    }
+    if c.on.bend {
+        let disc = Disc { centre: Vector3::from(now.centre) * side, rho: now.rho };
+        l.bend = disc.stress(&c.bend, &(Vector3::from(now.bend) * side)) * -f.bending;
+        // (10)
+    }
+    l
+}
+
+/// The damped loads on both bodies.
+fn react(f: &Fit, x: &Gap, m: &Motion, l: &Loads, s: &mut Stage) {
+    let (eta, mass) = (&f.c.eta, inertia(f, x, m));
+    let across = flat(&m.turn, &m.n);
+    let fn_ = damping::along(l.normal, eta.normal, m.v.dot(&m.n), mass.normal); // (11)
+    let ft = damping::in_plane(l.shear, eta.shear, &m.shear, mass.shear);
+    let tn = damping::along(l.twist, eta.twist, m.turn.dot(&m.n), mass.twist); // (12)
+    let tt = damping::in_plane(l.bend, eta.bend, &across, mass.bend);
+    let (couple, own) = (ft.cross(&m.n) * m.r, m.n * tn + tt);
+    let on_j = if x.call.is_wall { Vector3::zeros() } else { couple * f.arms[1] - own };
+    s.replace(m.n * fn_ + ft, couple * f.arms[0] + own, on_j); // (13)
+}
+
+/// The inertia of each mode over 10 Δt; infinite where damping changes sign at once.
+fn inertia(f: &Fit, x: &Gap, m: &Motion) -> Modes<f64> {
+    let modes = |normal: f64, shear: f64, turn: f64| Modes { normal, shear, twist: turn, bend: turn };
+    if !f.c.smooth {
+        return modes(f64::INFINITY, f64::INFINITY, f64::INFINITY);
+    }
+    let part = |mass: f64, radius: f64| 1.0 / (0.4 * mass * radius * radius);
+    let other = if x.call.is_wall { 0.0 } else { part(x.j.mass, x.j.radius) };
+    let kappa = m.r / if x.call.is_wall { x.i.radius } else { x.i.radius + x.j.radius };
+    let scale = 1.0 / (10.0 * x.call.dt);
+    modes(
+        x.meff * scale,
+        x.meff * scale / (1.0 + 2.5 * kappa * kappa),
+        scale / (part(x.i.mass, x.i.radius) + other),
+    )
+}
+
+/// What a study wants to know: the normal mode.
+pub fn observe(f: &Fit, x: &Gap, h: &History) -> Terms {
+    let r = if x.call.is_wall { (x.i.x - Vector3::from(h.from)).norm() } else { x.rsq.sqrt() };
+    let delta = h.r0 - r;
+    let [max, min] = widened(h.extremes, delta);
+    Terms {
+        branch: normal::branch_name(&f.c, delta, max, min),
+        stiffness: normal::tangent(&f.c, delta, max, min) * f.area,
+        ..Terms::default()
+    }
+}
