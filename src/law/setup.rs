@@ -50,7 +50,7 @@ pub enum LawError {
     },
     /// A setting that LIGGGHTS knows and this law does not do.
     #[error(
-        "{law}: setting {setting} {option} is not supported ({why}); switch it off or use LIGGGHTS's own law"
+        "{law}: setting {setting} {option} is not supported ({why}); switch it off or use a law that does it"
     )]
     Refused {
         /// The law.

@@ -9,7 +9,7 @@
 //! Limits: a sign torque never settles; near rest it overshoots by up to `|M| dt/I` each step and chatters.
 use super::formulas::{without_normal, ConstantTorque};
 use super::prop;
-use crate::lane::{norm, Lane};
+use crate::lane::{norm, select3, zero, Lane};
 use crate::law::*;
 
 /// The law.
@@ -84,7 +84,9 @@ impl LaneLaw for Cdt {
 
     #[inline(always)]
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
-        let mut torque = f.torque.along(&x.roll, call, x, s.kn); // (E1)
+        let spin = norm(&x.roll);
+        let torque = f.torque.along(&x.roll, spin, call, x, s.kn);
+        let mut torque = select3(spin.gt(L::splat(0.0)), torque, zero()); // (E1)
         if !f.torsion {
             torque = without_normal(torque, &x.en); // (E2)
         }

@@ -181,7 +181,7 @@ impl Law for CdtJkr {
     }
 
     fn observe(f: &Fit, x: &Contact, _: &[f64; 0]) -> Terms {
-        let rolls = norm(&f.axis(x.surface.roll, &x.surface.en)) > 0.0;
+        let (_, _, rolls) = f.axis(x.surface.roll, &x.surface.en);
         Terms { branch: if rolls { "rolling" } else { "at rest" }, ..Terms::default() }
     }
 }
@@ -196,15 +196,16 @@ impl<L: Lane> Fit<L> {
         (x.roll / (shown * L::splat(call.dt)) + turned) * self.inertia
     }
 
-    /// What the torque is against: the whole of a spin, or its rolling part (5).
+    /// What the torque is against: the whole of a spin, or its rolling part (5); its length, and whether there is any.
     #[inline(always)]
-    fn axis(&self, spin: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
+    fn axis(&self, spin: Vector3<L>, en: &Vector3<L>) -> (Vector3<L>, L, L::Mask) {
         if !self.switches.rolling_part {
-            return spin;
+            let length = norm(&spin);
+            return (spin, length, length.gt(L::splat(0.0)));
         }
         let rolling = without_normal(spin, en);
-        let rolls = dot(&rolling, &rolling).gt(dot(&spin, &spin) * L::splat(ROUND_OFF));
-        select3(rolls, rolling, zero())
+        let square = dot(&rolling, &rolling);
+        (rolling, square.sqrt(), square.gt(dot(&spin, &spin) * L::splat(ROUND_OFF)))
     }
 }
 
@@ -230,16 +231,64 @@ impl LaneLaw for CdtJkr {
     fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
         let Switches { torsion, rest_limit, .. } = f.switches;
         let spin = if rest_limit { f.resting(call, x, s) } else { x.roll };
-        let axis = f.axis(spin, &x.en);
-        let mut torque = f.torque.along(&axis, call, x, s.kn); // (8), (9)
+        let (axis, length, rolls) = f.axis(spin, &x.en);
+        let mut torque = f.torque.along(&axis, length, call, x, s.kn); // (8)
         if rest_limit {
-            torque = select3(f.torque.size(x, s.kn).gt(norm(&axis)), axis, torque);
+            torque = select3(f.torque.size(x, s.kn).gt(length), axis, torque);
         }
+        torque = select3(rolls, torque, zero()); // (9)
         if !torsion {
             torque = without_normal(torque, &x.en); // (10)
         }
         s.torque_i -= torque;
         s.torque_j += torque;
         s.mark = Mark::Leave;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn setup(convention: &str, limit: &str, nktv2p: f64) -> Setup {
+        let mut settings = Settings::new(&CdtJkr::META, false);
+        settings.set("cdtJkrConvention", convention).unwrap();
+        settings.set("restTorqueLimit", limit).unwrap();
+        // E, ν, W and η.
+        let of = [5e6, 0.45, 5.0, 1.0].map(|v| vec![v]).to_vec();
+        Setup { meta: &CdtJkr::META, settings, values: Values { types: 1, of }, nktv2p }
+    }
+
+    /// Mmax over kn δ R*, for two spheres of 5 mm.
+    fn mu(setup: &Setup) -> f64 {
+        let size = Size { radi: 5e-3, radj: 5e-3, massi: 1.0, massj: 1.0, meff: 0.5, is_wall: false };
+        let fit = CdtJkr::fit(&CdtJkr::coeffs(&setup.pair(0, 0)).unwrap(), &size);
+        fit.torque.size(&Surface { deltan: 1.0, ..Surface::default() }, 1.0) / size.reff()
+    }
+
+    #[test]
+    fn the_coefficient_is_that_of_either_source() {
+        // By hand with thirty digits.
+        let expected = [("documented", 0.163_487_380_910_043_6), ("upstream", 0.052_039_649_609_962_02)];
+        for (convention, value) in expected {
+            approx::assert_relative_eq!(mu(&setup(convention, "off", 1.0)), value, max_relative = 1e-15);
+        }
+    }
+
+    #[test]
+    fn pressures_in_units_of_their_own_are_converted() {
+        let mut other = setup("documented", "off", 1e5);
+        other.values.of[0][0] *= 1e5;
+        approx::assert_relative_eq!(mu(&other), mu(&setup("documented", "off", 1.0)), max_relative = 1e-15);
+    }
+
+    #[test]
+    fn the_limit_is_refused_where_a_torque_over_an_inertia_is_no_acceleration() {
+        let other = setup("documented", "on", 1e5);
+        let why = CdtJkr::coeffs(&other.pair(0, 0)).unwrap_err().to_string();
+        assert!(
+            why.starts_with("cdt_jkr/rs: setting restTorqueLimit on is not supported (it needs"),
+            "{why}"
+        );
     }
 }

@@ -1,5 +1,5 @@
 //! What several laws share. Operations stand in LIGGGHTS's order, so that the same numbers come out to the last bit.
-use crate::lane::{dot, each, norm, select3, zero, Lane};
+use crate::lane::{dot, each, Lane};
 use crate::law::{Call, Pair, Size, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -56,18 +56,16 @@ impl<L: Lane> ConstantTorque<L> {
         self.mu * kn * x.deltan * self.reff
     }
 
-    /// The torque along an axis of any length; none where it has no length.
+    /// The torque along an axis of this length.
     #[inline(always)]
-    pub fn along(&self, axis: &Vector3<L>, call: &Call, x: &Surface<L>, kn: L) -> Vector3<L> {
-        let length = norm(axis);
+    pub fn along(&self, axis: &Vector3<L>, length: L, call: &Call, x: &Surface<L>, kn: L) -> Vector3<L> {
         // LIGGGHTS multiplies in another order on a wall.
-        let torque = if call.is_wall {
+        if call.is_wall {
             let size = self.mu * (x.deltan * kn);
             each(axis, |a| size * a / length * self.reff)
         } else {
             axis * (self.size(x, kn) / length)
-        };
-        select3(length.gt(L::splat(0.0)), torque, zero())
+        }
     }
 }
 

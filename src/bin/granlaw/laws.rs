@@ -58,6 +58,9 @@ fn list(t: &mut String, metas: &[&Meta]) -> fmt::Result {
 
 fn explain(t: &mut String, meta: &Meta) -> fmt::Result {
     writeln!(t, "{} {}\n  {}", meta.kind.keyword(), meta.called(false), meta.summary)?;
+    if meta.stock_id.is_none() {
+        writeln!(t, "  LIGGGHTS has no law of that name: plain {} is the same", meta.keyword)?;
+    }
     if !meta.props.is_empty() {
         writeln!(t, "\nProperties (fix ID all property/global <name> <shape> <values>):")?;
     }
