@@ -3,6 +3,8 @@
 mod deck;
 #[path = "refusals_live/host.rs"]
 mod host;
+#[path = "refusals_live/own.rs"]
+mod own;
 #[path = "refusals_live/runs.rs"]
 mod runs;
 
