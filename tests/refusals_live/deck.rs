@@ -29,6 +29,7 @@ pub struct Deck {
     text: String,
     env: Vec<(String, String)>,
     program: PathBuf,
+    arguments: Vec<String>,
     files: Vec<(String, String)>,
 }
 
@@ -55,7 +56,13 @@ impl Deck {
         let (models, settings) = words.split_at(models);
         let wall = format!("{} primitive type 1 zplane 0.0 {}", models.join(" "), settings.join(" "));
         let text = include_str!("deck.in").replace("PAIR", pair).replace("WALL", &wall);
-        Deck { text, env: Vec::new(), program: "liggghts".into(), files: Vec::new() }
+        Deck {
+            text,
+            env: Vec::new(),
+            program: "liggghts".into(),
+            arguments: vec!["-in".into(), "deck.in".into()],
+            files: Vec::new(),
+        }
     }
 
     /// With a text changed, which must occur.
@@ -92,6 +99,12 @@ impl Deck {
         self
     }
 
+    /// With other arguments than `-in deck.in`.
+    pub fn arguments(mut self, arguments: &[&str]) -> Deck {
+        self.arguments = arguments.iter().map(|a| a.to_string()).collect();
+        self
+    }
+
     /// With a file beside it.
     pub fn file(mut self, name: &str, text: &str) -> Deck {
         self.files.push((name.into(), text.into()));
@@ -107,7 +120,7 @@ impl Deck {
             fs::write(dir.path().join(name), text).unwrap();
         }
         let mut command = alone(&self.program, dir.path());
-        command.args(["-in", "deck.in"]).env("LD_PRELOAD", preload);
+        command.args(&self.arguments).env("LD_PRELOAD", preload);
         for name in ["GRANLAW_LAWS", "GRANLAW_RECORD", "GRANLAW_EVERY"] {
             command.env_remove(name);
         }

@@ -73,6 +73,22 @@ fn another_layout_is_not_entered() {
     deck().runs_with(also.to_str().unwrap());
 }
 
+/// The plugin gets through a program that starts LIGGGHTS, and not on to what LIGGGHTS starts.
+#[test]
+fn the_plugin_goes_as_far_as_liggghts() {
+    if !can("the_plugin_goes_as_far_as_liggghts") {
+        return;
+    }
+    let look = "shell printenv LD_PRELOAD > memory.txt || echo none > memory.txt\nrun             200";
+    let deck = deck().with("run             200", look);
+    for wrapper in ["timeout 600 liggghts", "nice env A=1 liggghts", "liggghts"] {
+        // Without the plugin LIGGGHTS does not know the names of this deck.
+        let ran =
+            deck.clone().program("sh".into()).arguments(&["-c", &format!("{wrapper} -in deck.in")]).runs();
+        assert_eq!(ran.memory.trim(), "none", "under {wrapper}");
+    }
+}
+
 /// LIGGGHTS with a coarse-graining factor of 2.
 fn coarse(dir: &Path) -> PathBuf {
     let mpi = |ask: &str| {

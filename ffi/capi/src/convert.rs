@@ -213,7 +213,7 @@ pub fn non_finite(laws: impl Iterator<Item = &'static Meta>, x: &Contact) -> Fai
 #[inline]
 pub fn stage(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Stage {
     let torque_i = Vector3::from(fi.delta_torque);
-    let torque_i = if s.is_wall { torque_i / s.area_ratio } else { torque_i };
+    let torque_i = if s.is_wall && s.area_ratio != 0.0 { torque_i / s.area_ratio } else { torque_i };
     Stage { torque_i, torque_j: fj.delta_torque.into(), ..Stage::default() }
 }
 

@@ -1,4 +1,5 @@
 // Registers granlaw's laws with LIGGGHTS when the library is preloaded. SPDX-License-Identifier: GPL-2.0-or-later
+#include <errno.h>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -123,10 +124,12 @@ std::string host_trouble() {
   return "";
 }
 
-// LD_PRELOAD must not reach the programs that LIGGGHTS starts.
+// LD_PRELOAD must not reach the programs that LIGGGHTS starts, but it must get through those that start LIGGGHTS (env,
+// timeout, perf): else the stock laws would run without a word.
 void forget_preload() {
+  const std::string program = program_invocation_short_name;
   const char *list = getenv("LD_PRELOAD");
-  if (!list) return;
+  if (!list || (program.find("liggghts") == std::string::npos && program.find("lmp") != 0)) return;
   std::string rest, item;
   for (const char *p = list;; p++) {
     if (*p && *p != ':' && *p != ' ') {
