@@ -108,6 +108,7 @@ impl Chain {
 
     /// The surfaces overlap. `types` are the atom types counted from 0, `h` is the contact's row of history; what
     /// `s` holds already is kept and added to.
+    #[inline]
     pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Marks {
         self.fit(types, &x.gap);
         self.run(&x.gap.call, h, s, |kernel, h, s| kernel.touch(x, h, s))

@@ -212,9 +212,19 @@ pub fn non_finite(laws: impl Iterator<Item = &'static Meta>, x: &Contact) -> Fai
 /// What the chain begins with: the torques that LIGGGHTS's laws before it have given to this contact.
 #[inline]
 pub fn stage(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Stage {
-    let torque_i = Vector3::from(fi.delta_torque);
-    let torque_i = if s.is_wall && s.area_ratio != 0.0 { torque_i / s.area_ratio } else { torque_i };
+    let mut torque_i = Vector3::from(fi.delta_torque);
+    if s.is_wall && s.area_ratio != 1.0 {
+        whole(&mut torque_i, s.area_ratio);
+    }
     Stage { torque_i, torque_j: fj.delta_torque.into(), ..Stage::default() }
+}
+
+/// The torque of a wall contact that counts only in part; one that does not count at all is zero.
+#[cold]
+fn whole(torque: &mut Vector3<f64>, share: f64) {
+    if share != 0.0 {
+        *torque /= share;
+    }
 }
 
 /// Add the force, the opposite one to j and none to a wall; the torques hold what was there before.
