@@ -99,7 +99,7 @@ fn own_names(deck: &str) -> String {
     let mut out = String::new();
     for word in deck.split_inclusive([' ', '\n']) {
         let bare = word.trim_end();
-        let selects = ["model", "tangential", "rolling_friction"].contains(&before);
+        let selects = ["model", "tangential", "rolling_friction", "cohesion"].contains(&before);
         if selects && granlaw::laws::LAWS.iter().any(|e| e.meta.keyword == bare) {
             out.push_str(&word.replacen(bare, &format!("{bare}/rs"), 1));
             changed += 1;
@@ -114,13 +114,18 @@ fn own_names(deck: &str) -> String {
     out
 }
 
-fn run(program: &Path, deck: &str) -> (String, TempDir) {
+fn run(program: &Path, deck: &str, preload: &str) -> String {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("deck.in"), deck).unwrap();
     fs::copy(source().join("liggghts_inputs/plane.stl"), dir.path().join("plane.stl")).unwrap();
-    let out = alone(program, dir.path()).args(["-in", "deck.in"]).output().unwrap();
+    let out =
+        alone(program, dir.path()).args(["-in", "deck.in"]).env("LD_PRELOAD", preload).output().unwrap();
     assert!(out.status.success(), "{}", said(&out));
-    (fs::read_to_string(dir.path().join("dump.txt")).expect("the deck writes dump.txt"), dir)
+    fs::read_to_string(dir.path().join("dump.txt")).expect("the deck writes dump.txt")
+}
+
+fn deck(name: &str) -> String {
+    fs::read_to_string(source().join(format!("liggghts_inputs/{name}.in"))).unwrap()
 }
 
 #[test]
@@ -128,25 +133,39 @@ fn a_deck_on_the_drop_in_models_gives_the_answer_of_stock() {
     if !can("a_deck_on_the_drop_in_models_gives_the_answer_of_stock") {
         return;
     }
-    for name in [
+    let decks = [
         "hysteresis_history_cdt",
         "two_types",
         "mesh_wall",
         "hertz_history",
         "hooke_no_history_cdt",
         "frozen_partner",
-    ] {
-        let deck = fs::read_to_string(source().join(format!("liggghts_inputs/{name}.in"))).unwrap();
-        let (stock, _) = run(Path::new("liggghts"), &deck);
-        let (ours, _) = run(host(), &own_names(&deck));
+    ];
+    for name in decks {
+        let stock = run(Path::new("liggghts"), &deck(name), "");
+        let ours = run(host(), &own_names(&deck(name)), "");
         assert!(stock.lines().count() > 100 && stock == ours, "{name}: the dumps differ");
     }
     // A property a millionth off must be seen, or the comparison sees nothing.
-    let deck = fs::read_to_string(source().join("liggghts_inputs/two_types.in")).unwrap();
-    let planted =
-        own_names(&deck).replace("youngsModulus peratomtype 5e6", "youngsModulus peratomtype 5.000005e6");
-    assert_ne!(planted, own_names(&deck), "the deck has no modulus to change");
-    assert_ne!(run(host(), &planted).0, run(Path::new("liggghts"), &deck).0);
+    let good = own_names(&deck("two_types"));
+    let planted = good.replace("youngsModulus peratomtype 5e6", "youngsModulus peratomtype 5.000005e6");
+    assert_ne!(planted, good, "the deck has no modulus to change");
+    assert!(run(host(), &planted, "") != run(host(), &good, ""), "a softer sphere was not seen");
+}
+
+/// Laws that LIGGGHTS lacks, against the plugin.
+#[test]
+fn laws_of_our_own_are_the_same_in_either_place() {
+    if !can("laws_of_our_own_are_the_same_in_either_place") {
+        return;
+    }
+    let plugin = built().join("libgranlaw_liggghts.so");
+    for name in ["cdt_jkr_bonded", "cdt_jkr_types", "cdt_jkr_mesh_wall"] {
+        let deck = own_names(&deck(name));
+        let there = run(Path::new("liggghts"), &deck, plugin.to_str().unwrap());
+        let here = run(host(), &deck, "");
+        assert!(there.lines().count() > 100 && there == here, "{name}: the dumps differ");
+    }
 }
 
 #[test]
@@ -229,8 +248,7 @@ fn refusals_reach_the_user() {
     if !can("refusals_reach_the_user") {
         return;
     }
-    let deck = fs::read_to_string(source().join("liggghts_inputs/cdt_jkr_twist_upstream.in")).unwrap();
-    let deck = own_names(&deck);
+    let deck = own_names(&deck("cdt_jkr_twist_upstream"));
     for (from, to, said_so) in [
         ("upstream", "updream", "setting cdtJkrConvention updream: must be one of documented, upstream"),
         ("cdtJkrConvention upstream", "", "setting cdtJkrConvention must be given"),

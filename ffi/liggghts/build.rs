@@ -41,7 +41,13 @@ fn compile(headers: &Path, mpi: &[String]) {
     }
     fs::write(out.join("style_contact_model.h"), "").expect("OUT_DIR is writable");
     let mut build = cc::Build::new();
-    build.cpp(true).std("c++17").opt_level(2).warnings(false).define("OMPI_SKIP_MPICXX", None);
+    build
+        .cpp(true)
+        .std("c++17")
+        .opt_level(2)
+        .force_frame_pointer(false)
+        .warnings(false)
+        .define("OMPI_SKIP_MPICXX", None);
     build.include(&out).include("cpp").include("../capi/include").file("cpp/plugin.cpp");
     for flag in mpi {
         build.flag(flag);
