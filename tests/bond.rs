@@ -2,5 +2,11 @@
 //! in which the two conventions differ.
 #[path = "bond/bench.rs"]
 mod bench;
+#[path = "bond/dynamics.rs"]
+mod dynamics;
 #[path = "bond/oracle.rs"]
 mod oracle;
+#[path = "bond/points.rs"]
+mod points;
+#[path = "bond/upstream.rs"]
+mod upstream;

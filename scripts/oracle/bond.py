@@ -115,7 +115,6 @@ class Bond:
         else:
             D = delta
             Do = self.D if update else D
-            if update: v = mul(sub(D, Do), 1 / dt)
         r, nn = norm(D), unit(D)
         if update and p["strength"] is None and twice * r > p["far"]:
             self.held = False
@@ -125,7 +124,8 @@ class Bond:
         ri, rj = map(mpf, p["radii"])
         rci, rcj = (r, mpf(0)) if p["wall"] else (r * ri / (ri + rj), r * rj / (ri + rj))
         spins = add(mul(wi, rci), mul(wj, rcj))
-        vtr = flat(sub(sub(v, mul(nb, dot(v, nb))), mul(cross(spins, nb), norm(mid) / r)), nn)  # (7)
+        shearing = lambda v: flat(sub(sub(v, mul(nb, dot(v, nb))), mul(cross(spins, nb), norm(mid) / r)), nn)  # (7)
+        vtr = shearing(v)
         rel = sub(wi, wj)
         ft, tt, c, tn, rho = self.ft, self.tt, self.c, self.tn, self.rho
         tmax, tmin = self.tmax, self.tmin
@@ -136,7 +136,7 @@ class Bond:
                 b = sub(a, mul(add(no, nn), dot(a, nn) / (1 + dot(no, nn))))
                 return add(mul(b, cos(psi)), mul(cross(nn, b), sin(psi)))
 
-            ft = sub(carry(ft), mul(vtr, mpf(p["kt"]) * self.A * dt))  # (8)
+            ft = sub(carry(ft), mul(shearing(mul(sub(D, Do), 1 / dt)), mpf(p["kt"]) * self.A * dt))  # (8)
             tn += dt * dot(rel, nb)
             tt = add(carry(tt), mul(flat(rel, nn), dt))
             c = carry(c)

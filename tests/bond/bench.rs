@@ -2,6 +2,7 @@
 use granlaw::chain::Chain;
 use granlaw::law::*;
 use granlaw::laws::find;
+use nalgebra::{Rotation3, Vector3};
 use std::collections::BTreeMap;
 
 /// What a deck says of the bond.
@@ -49,6 +50,7 @@ impl Deck {
     pub fn setup(&self) -> Setup {
         let meta = find(Kind::Cohesion, "bond/nonlinear").unwrap().meta;
         let mut settings = Settings::new(meta, false);
+        // The last word on a setting holds.
         for (name, option) in &self.settings {
             settings.set(name, option).unwrap();
         }
@@ -81,5 +83,99 @@ impl Worst {
             (0.0, _) => 0.0,
             (d, p) => d / p,
         }
+    }
+}
+
+/// Two bodies, or one and a wall, moved by hand.
+pub struct Driven {
+    chain: Chain,
+    pub history: Vec<f64>,
+    pub gap: Gap,
+    pub stage: Stage,
+    pub dt: f64,
+}
+
+impl Driven {
+    /// Two equal spheres with D = `delta`, bonded in the step that has just been made.
+    pub fn pair(deck: &Deck, delta: Vector3<f64>) -> Driven {
+        let body = |tag, x| Body { tag, radius: 5e-4, mass: 1.3e-6, x, ..Body::default() };
+        Driven::new(
+            deck,
+            Gap { i: body(1, delta), j: body(2, Vector3::zeros()), meff: 6.5e-7, ..Gap::default() },
+        )
+    }
+
+    /// A sphere above a wall through the origin.
+    pub fn wall(deck: &Deck, delta: Vector3<f64>) -> Driven {
+        let i = Body { tag: 1, radius: 5e-4, mass: 1.3e-6, x: delta, ..Body::default() };
+        let call = Call { is_wall: true, ..Call::default() };
+        Driven::new(
+            deck,
+            Gap { call, i, j: Body { tag: -1, ..Body::default() }, meff: 1.3e-6, ..Gap::default() },
+        )
+    }
+
+    fn new(deck: &Deck, mut gap: Gap) -> Driven {
+        let (chain, dt) = (deck.chain(), 1e-7);
+        gap.call = Call { dt, update: true, counts: true, ..gap.call };
+        let mut driven = Driven { history: vec![0.0; chain.row()], chain, gap, stage: Stage::default(), dt };
+        driven.evaluate();
+        assert_eq!(driven.stage.life, Life::Begins);
+        driven
+    }
+
+    fn evaluate(&mut self) {
+        let g = &mut self.gap;
+        g.call.step += i64::from(g.call.update);
+        g.delta = g.i.x - g.j.x;
+        g.rsq = granlaw::lane::dot(&g.delta, &g.delta);
+        self.stage = Stage::default();
+        self.chain.apart((0, 0), g, &mut self.history, &mut self.stage);
+    }
+
+    /// One step in which i moves with v, and both spin.
+    pub fn step(&mut self, v: Vector3<f64>, omega_i: Vector3<f64>, omega_j: Vector3<f64>) {
+        let way = v * self.dt;
+        (self.gap.i.v, self.gap.i.omega, self.gap.j.omega) = (v, omega_i, omega_j);
+        self.gap.i.x += way;
+        self.evaluate();
+    }
+
+    /// One step to a place that is not summed up, so that it does not collect rounding.
+    pub fn go(&mut self, delta: Vector3<f64>, v: Vector3<f64>, omega_i: Vector3<f64>, omega_j: Vector3<f64>) {
+        (self.gap.i.x, self.gap.i.v) = (delta, v);
+        (self.gap.i.omega, self.gap.j.omega) = (omega_i, omega_j);
+        self.evaluate();
+    }
+
+    /// One step to a place, at rest afterwards.
+    pub fn place(&mut self, delta: Vector3<f64>) {
+        self.gap.i.v = (delta - self.gap.i.x) / self.dt;
+        self.gap.i.x = delta;
+        self.evaluate();
+        self.gap.i.v = Vector3::zeros();
+    }
+
+    /// What the law would answer elsewhere, without leave to write.
+    pub fn query(&mut self, delta: Vector3<f64>) {
+        let (x, call) = (self.gap.i.x, self.gap.call);
+        (self.gap.i.x, self.gap.call.update) = (delta, false);
+        self.evaluate();
+        (self.gap.i.x, self.gap.call) = (x, call);
+    }
+
+    /// One step of a rigid rotation about the centre of j.
+    pub fn turn_rigidly(&mut self, omega: &Vector3<f64>) {
+        let before = self.gap.i.x;
+        let after = Rotation3::new(omega * self.dt) * before;
+        self.step((after - before) / self.dt, *omega, *omega);
+    }
+
+    /// i and j change places; no slot of the bond is odd.
+    pub fn swap(&mut self) {
+        std::mem::swap(&mut self.gap.i, &mut self.gap.j);
+        // The one that is moved by hand stays i.
+        let shift = self.gap.j.x;
+        (self.gap.i.x, self.gap.j.x) = (self.gap.i.x - shift, Vector3::zeros());
     }
 }

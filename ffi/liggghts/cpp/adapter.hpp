@@ -306,6 +306,11 @@ class Segment {
   }
   bool of(LAMMPS *lmp) const { return lmp == lmp_; }
   bool is_wall() const { return wall_ != nullptr; }
+  bool has(const granlaw_law *d) const {
+    for (const auto &law : laws_)
+      if (&law->descriptor() == d) return true;
+    return false;
+  }
 
   Law &add(IContactHistorySetup *history, size_t index, bool taken_over) {
     laws_.emplace_back(new Law(lmp_, history, index, taken_over));

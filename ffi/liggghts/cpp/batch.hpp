@@ -107,7 +107,7 @@ class Batch {
     a.rebuilt = lmp_->neighbor->ncalls != built_ || lmp_->neighbor->ago == 0 || list != list_;
     built_ = lmp_->neighbor->ncalls;
     list_ = list;
-    if (granlaw_batch_pass(batch_, &a) != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
+    if (granlaw_batch_pass(batch_, &a) != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
 
   void say(const std::string &text, const char *what) {

@@ -4,6 +4,7 @@
 #define GRANLAW_CHAIN_HPP
 
 #include <dlfcn.h>
+#include "counter.hpp"
 #include "link.hpp"
 #include "modes.hpp"
 #include "watch.hpp"
@@ -19,6 +20,7 @@ class Chain : public ContactModelBase {
       lmp->error->all(GRANLAW_HERE, "granlaw's laws need 'surface default'; leave the surface keyword out");
     for (int32_t kind : {GRANLAW_NORMAL, GRANLAW_COHESION, GRANLAW_TANGENTIAL, GRANLAW_ROLLING})
       add(kind, id(hash, kind), parent);
+    Counter::enter(lmp);
     latest() = this;
   }
 

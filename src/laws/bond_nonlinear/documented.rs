@@ -1,7 +1,8 @@
 //! The documented convention: kinematics, shear (7), (8), and what acts on the two bodies (13).
 //!
-//! With D now and D_o in the step before, n̄ along the mean of both and v = (D − D_o)/Δt (which serves every integrator;
-//! at a wall, where the anchor is kept instead of D_o, v is LIGGGHTS's):
+//! With D now and D_o in the step before, and n̄ along the mean of both, D̄. What is added up is v Δt = D − D_o, which serves
+//! every integrator and whose rounding does not add up; at a wall, where the anchor is kept instead of D_o, and for
+//! damping, v is LIGGGHTS's:
 //! - (C1) vectors of the tangent plane are carried by the rotation that takes n_o to n, and then about n by the mean
 //!   spin: `b = a − (n_o+n)(a·n)/(1+n_o·n)`, `C(a) = b cos ψ + n×b sin ψ`, `ψ = ½(ω_i+ω_j)·n̄ Δt`
 //! - (7) `v_tr = P[v − (v·n̄) n̄ − (|D̄|/r) (r_ci ω_i + r_cj ω_j) × n̄]`, P the projection on the plane of n
@@ -59,12 +60,13 @@ struct Motion {
     /// Normals before and at half the way.
     before: Vector3<f64>,
     half: Vector3<f64>,
-    /// Relative velocity \[m/s\], and its part that shears the bond (7).
+    /// How far the bond is sheared in this step \[m\], v_tr Δt of (7).
+    way: Vector3<f64>,
+    /// Relative velocity, and its part that shears the bond \[m/s\].
     v: Vector3<f64>,
     shear: Vector3<f64>,
-    /// Relative spin \[rad/s\].
+    /// Relative spin, and the mean spin about n̄ \[rad/s\].
     turn: Vector3<f64>,
-    /// ψ/Δt \[rad/s\].
     mean: f64,
 }
 
@@ -114,34 +116,33 @@ fn end(h: &mut History, s: &mut Stage) {
 impl Motion {
     /// The motion, with the anchor or D moved on in `now` where history may be written.
     fn new(f: &Fit, x: &Gap, now: &mut History) -> Motion {
-        let (update, dt, side) = (x.call.update, x.call.dt, seen_from(x));
-        let mut v = x.i.v - x.j.v;
-        let (d, old) = if x.call.is_wall {
-            let anchor = Vector3::from(now.from) + if update { x.j.v * dt } else { Vector3::zeros() };
+        let (v, dt) = (x.i.v - x.j.v, if x.call.update { x.call.dt } else { 0.0 });
+        let (d, moved) = if x.call.is_wall {
+            let anchor = Vector3::from(now.from) + x.j.v * dt;
             now.from = anchor.into();
-            let d = x.i.x - anchor;
-            (d, if update { d - v * dt } else { d })
+            (x.i.x - anchor, v * dt)
+        } else if x.call.update {
+            let side = seen_from(x);
+            let moved = x.delta - Vector3::from(now.from) * side;
+            now.from = (x.delta * side).into();
+            (x.delta, moved)
         } else {
-            let old = if update { Vector3::from(now.from) * side } else { x.delta };
-            if update {
-                v = (x.delta - old) / dt;
-                now.from = (x.delta * side).into();
-            }
-            (x.delta, old)
+            (x.delta, Vector3::zeros())
         };
         let r = d.norm();
-        let n = d / r;
-        let middle = (d + old) * 0.5;
+        let (n, middle) = (d / r, d - moved * 0.5);
         let half = middle.normalize();
-        let spin = x.i.omega * f.arms[0] + x.j.omega * f.arms[1];
-        let shear = v - half * v.dot(&half) - spin.cross(&middle); // (7); |D̄| n̄ is D̄
+        let roll = (x.i.omega * f.arms[0] + x.j.omega * f.arms[1]).cross(&middle);
+        // (7); |D̄| n̄ is D̄.
+        let sheared = |v: &Vector3<f64>, roll: &Vector3<f64>| flat(&(v - half * v.dot(&half) - roll), &n);
         Motion {
             r,
             n,
-            before: old.normalize(),
+            before: (d - moved).normalize(),
             half,
+            way: sheared(&moved, &(roll * dt)),
             v,
-            shear: flat(&shear, &n),
+            shear: sheared(&v, &roll),
             turn: x.i.omega - x.j.omega,
             mean: 0.5 * (x.i.omega + x.j.omega).dot(&half),
         }
@@ -156,7 +157,7 @@ impl Motion {
             let b = a - sum * (a.dot(&self.n) * scale);
             b * cos + self.n.cross(&b) * sin // (C1)
         };
-        let shear = carry(now.shear) - self.shear * (f.c.shear * f.area * dt); // (8)
+        let shear = carry(now.shear) - self.way * (f.c.shear * f.area); // (8)
         let bend = carry(now.bend) + flat(&self.turn, &self.n) * dt;
         let centre = carry(now.centre);
         let mut disc = Disc { centre, rho: now.rho };
