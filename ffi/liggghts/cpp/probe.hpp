@@ -105,7 +105,7 @@ class Probe {
   }
 
   void check(granlaw_status status) {
-    if (status != GRANLAW_OK) lmp_->error->one(GRANLAW_HERE, granlaw_last_error());
+    if (status != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
 
   granlaw_probe *probe_;
