@@ -37,6 +37,8 @@ pub trait Lane:
     fn from_fn(number: impl Fn(usize) -> f64) -> Self;
     /// The number in lane `k`, which must be below [`Lane::WIDTH`].
     fn lane(self, k: usize) -> f64;
+    /// The numbers of all lanes.
+    fn numbers(&self) -> &[f64];
     /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
     /// Magnitude.
@@ -65,6 +67,10 @@ impl Lane for f64 {
     #[inline(always)]
     fn lane(self, _: usize) -> f64 {
         self
+    }
+    #[inline(always)]
+    fn numbers(&self) -> &[f64] {
+        std::slice::from_ref(self)
     }
     #[inline(always)]
     fn sqrt(self) -> f64 {
@@ -247,6 +253,10 @@ impl<const N: usize> Lane for Pack<N> {
     #[inline(always)]
     fn lane(self, k: usize) -> f64 {
         self.0[k]
+    }
+    #[inline(always)]
+    fn numbers(&self) -> &[f64] {
+        &self.0
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -1,7 +1,7 @@
 //! One law over the contacts of a chunk.
-use crate::chunk::Block;
+use crate::chunk::{At, Block, Chunk};
 use crate::unit::Unit;
-use granlaw::law::{Call, ForLanes, LaneLaw, LawError, Mark, Setup, Size};
+use granlaw::law::{Call, ForLanes, LaneLaw, LawError, Mark, Setup, Size, Stage};
 use std::marker::PhantomData;
 
 /// A law prepared for lanes of one width.
@@ -12,8 +12,8 @@ pub(crate) trait Kernel<L> {
     fn fit_none(&mut self, slots: usize);
     /// One neighbour's contact has this pair of types and this size.
     fn fit(&mut self, slot: usize, pair: usize, size: &Size);
-    /// Run the law; the answer is what it does to the contact flags.
-    fn touch(&mut self, blocks: &mut [Block<L>], call: &Call) -> Mark;
+    /// Run the law, `first` of the chain or not; the answer is what it does to the contact flags.
+    fn touch(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) -> Mark;
     /// Bytes in use.
     fn bytes(&self) -> usize;
 }
@@ -55,24 +55,27 @@ impl<W: LaneLaw, L: Unit> Prepared<W, L> {
     const SLOTS: usize = W::META.slots.len();
 
     #[inline(always)]
-    fn touch_block(&self, f: &W::FitOf<L>, b: &mut Block<L>, call: &Call) {
-        let mut h = self.history(b);
-        b.stage.mark = Mark::Leave;
-        W::touch_lanes::<L>(f, call, &b.surface, &mut h, &mut b.stage);
+    fn touch_block(&self, f: &W::FitOf<L>, at: &At<'_>, b: &mut Block<L>, call: &Call, first: bool) -> Mark {
+        let mut stage = if first { Stage::default() } else { b.stage };
+        stage.mark = Mark::Leave;
+        let mut h = self.history(at);
+        W::touch_lanes::<L>(f, call, &b.surface, &mut h, &mut stage);
+        b.stage = stage;
         for (c, column) in h.as_ref().iter().enumerate() {
             for k in 0..L::WIDTH {
                 // SAFETY: as in `history`; rows of different contacts do not overlap.
-                unsafe { *b.history[k].add(self.at + c) = column.lane(k) };
+                unsafe { *at.history[k].add(self.at + c) = column.lane(k) };
             }
         }
+        stage.mark
     }
 
     #[inline(always)]
-    fn history(&self, b: &Block<L>) -> W::HistoryOf<L> {
+    fn history(&self, at: &At<'_>) -> W::HistoryOf<L> {
         let mut columns = [L::splat(0.0); MOST_SLOTS];
         for (c, column) in columns.iter_mut().enumerate().take(Self::SLOTS) {
             // SAFETY: every contact of a block has a row that holds the slots of all laws of the chain.
-            *column = L::from_fn(|k| unsafe { *b.history[k].add(self.at + c) });
+            *column = L::from_fn(|k| unsafe { *at.history[k].add(self.at + c) });
         }
         let Ok(h) = W::HistoryOf::<L>::try_from(&columns[..Self::SLOTS]) else {
             unreachable!("the history of a law has as many numbers as it has slots")
@@ -124,29 +127,25 @@ impl<W: LaneLaw, L: Unit> Kernel<L> for Prepared<W, L> {
         }
     }
 
-    fn touch(&mut self, blocks: &mut [Block<L>], call: &Call) -> Mark {
-        L::run(
-            #[inline(always)]
-            || {
-                for b in blocks.iter_mut() {
-                    match &self.fits {
-                        Fits::Shared(f) => self.touch_block(f, b, call),
-                        Fits::Each(fits) => {
-                            let f = W::side_by_side::<L>(|k| fits[b.slot[k] as usize]);
-                            self.touch_block(&f, b, call);
-                        }
-                        Fits::Following(fits) => {
-                            let slot = |k: usize| if fits.len() == 1 { 0 } else { b.slot[k] as usize };
-                            let at = |k: usize| W::fit_at(&fits[slot(k)], b.surface.vn.lane(k));
-                            let now: [_; 8] = std::array::from_fn(|k| at(k % L::WIDTH));
-                            let f = W::side_by_side::<L>(|k| now[k]);
-                            self.touch_block(&f, b, call);
-                        }
-                    }
-                }
-            },
-        );
-        blocks.last().map_or(Mark::Leave, |b| b.stage.mark)
+    fn touch(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) -> Mark {
+        let mut mark = Mark::Leave;
+        L::run(#[inline(always)] || match &self.fits {
+            Fits::Shared(f) => {
+                chunk.each_block(#[inline(always)] |at, b| mark = self.touch_block(f, at, b, call, first));
+            }
+            Fits::Each(fits) => chunk.each_block(#[inline(always)] |at, b| {
+                let f = W::side_by_side::<L>(#[inline(always)] |k| fits[at.slot[k] as usize]);
+                mark = self.touch_block(&f, at, b, call, first);
+            }),
+            Fits::Following(fits) => chunk.each_block(#[inline(always)] |at, b| {
+                let slot = |k: usize| if fits.len() == 1 { 0 } else { at.slot[k] as usize };
+                let fit = |k: usize| W::fit_at(&fits[slot(k)], b.surface.vn.lane(k));
+                let now: [_; 8] = std::array::from_fn(|k| fit(k % L::WIDTH));
+                let f = W::side_by_side::<L>(#[inline(always)] |k| now[k]);
+                mark = self.touch_block(&f, at, b, call, first);
+            }),
+        });
+        mark
     }
 
     fn bytes(&self) -> usize {

@@ -143,9 +143,9 @@ impl<L: Unit + 'static> Pass<L> {
         }
         let call = Call { dt: a.dt, step: a.step, update: a.update, ..Call::default() };
         let mut marks = Marks::default();
-        for link in &mut self.links {
+        for (k, link) in self.links.iter().enumerate() {
             let bit = 1 << link.meta.kind as i32;
-            match link.kernel.touch(self.chunk.blocks(), &call) {
+            match link.kernel.touch(&mut self.chunk, &call, k == 0) {
                 Mark::Set => marks.set |= bit,
                 Mark::Clear => marks.clear |= bit,
                 Mark::Leave => {}

@@ -30,14 +30,6 @@ impl Unit for Avx2 {
     }
 }
 
-impl Avx2 {
-    #[inline(always)]
-    fn numbers(self) -> [f64; 4] {
-        // SAFETY: a register is its four numbers.
-        unsafe { std::mem::transmute(self.0) }
-    }
-}
-
 impl PartialEq for Avx2 {
     fn eq(&self, o: &Self) -> bool {
         self.numbers() == o.numbers()
@@ -98,6 +90,11 @@ impl Lane for Avx2 {
     #[inline(always)]
     fn lane(self, k: usize) -> f64 {
         self.numbers()[k]
+    }
+    #[inline(always)]
+    fn numbers(&self) -> &[f64] {
+        // SAFETY: a register is its four numbers, side by side.
+        unsafe { &*std::ptr::from_ref(&self.0).cast::<[f64; 4]>() }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -26,14 +26,6 @@ impl Unit for Avx512 {
     }
 }
 
-impl Avx512 {
-    #[inline(always)]
-    fn numbers(self) -> [f64; 8] {
-        // SAFETY: a register is its eight numbers.
-        unsafe { std::mem::transmute(self.0) }
-    }
-}
-
 impl PartialEq for Avx512 {
     fn eq(&self, o: &Self) -> bool {
         self.numbers() == o.numbers()
@@ -72,6 +64,11 @@ impl Lane for Avx512 {
     #[inline(always)]
     fn lane(self, k: usize) -> f64 {
         self.numbers()[k]
+    }
+    #[inline(always)]
+    fn numbers(&self) -> &[f64] {
+        // SAFETY: a register is its eight numbers, side by side.
+        unsafe { &*std::ptr::from_ref(&self.0).cast::<[f64; 8]>() }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
