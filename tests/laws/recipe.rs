@@ -11,6 +11,12 @@ pub struct Draw<'a>(std::slice::Iter<'a, f64>);
 
 pub const DRAWS: usize = 256;
 
+impl<'a> Draw<'a> {
+    pub fn of(numbers: &'a [f64]) -> Draw<'a> {
+        Draw(numbers.iter())
+    }
+}
+
 impl Draw<'_> {
     pub fn unit(&mut self) -> f64 {
         *self.0.next().expect("more draws than DRAWS")
@@ -270,7 +276,7 @@ pub fn for_all_of(
     let config = Config { cases, failure_persistence: None, max_shrink_iters: 200, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let outcome = runner.run(&vec(0.0..1.0, draws), |numbers: Vec<f64>| {
-        let mut d = Draw(numbers.iter());
+        let mut d = Draw::of(&numbers);
         let recipe = Recipe { fault, ..Recipe::draw(laws, switches, &mut d) };
         if let Err(LawError::Senseless { what, .. }) = Chain::packed(&recipe.setups) {
             return Err(TestCaseError::reject(what));

@@ -129,22 +129,40 @@ impl<W: LaneLaw, L: Unit> Kernel<L> for Prepared<W, L> {
 
     fn touch(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) -> Mark {
         let mut mark = Mark::Leave;
-        L::run(#[inline(always)] || match &self.fits {
-            Fits::Shared(f) => {
-                chunk.each_block(#[inline(always)] |at, b| mark = self.touch_block(f, at, b, call, first));
-            }
-            Fits::Each(fits) => chunk.each_block(#[inline(always)] |at, b| {
-                let f = W::side_by_side::<L>(#[inline(always)] |k| fits[at.slot[k] as usize]);
-                mark = self.touch_block(&f, at, b, call, first);
-            }),
-            Fits::Following(fits) => chunk.each_block(#[inline(always)] |at, b| {
-                let slot = |k: usize| if fits.len() == 1 { 0 } else { at.slot[k] as usize };
-                let fit = |k: usize| W::fit_at(&fits[slot(k)], b.surface.vn.lane(k));
-                let now: [_; 8] = std::array::from_fn(|k| fit(k % L::WIDTH));
-                let f = W::side_by_side::<L>(#[inline(always)] |k| now[k]);
-                mark = self.touch_block(&f, at, b, call, first);
-            }),
-        });
+        L::run(
+            #[inline(always)]
+            || match &self.fits {
+                Fits::Shared(f) => {
+                    chunk.each_block(
+                        #[inline(always)]
+                        |at, b| mark = self.touch_block(f, at, b, call, first),
+                    );
+                }
+                Fits::Each(fits) => chunk.each_block(
+                    #[inline(always)]
+                    |at, b| {
+                        let f = W::side_by_side::<L>(
+                            #[inline(always)]
+                            |k| fits[at.slot[k] as usize],
+                        );
+                        mark = self.touch_block(&f, at, b, call, first);
+                    },
+                ),
+                Fits::Following(fits) => chunk.each_block(
+                    #[inline(always)]
+                    |at, b| {
+                        let slot = |k: usize| if fits.len() == 1 { 0 } else { at.slot[k] as usize };
+                        let fit = |k: usize| W::fit_at(&fits[slot(k)], b.surface.vn.lane(k));
+                        let now: [_; 8] = std::array::from_fn(|k| fit(k % L::WIDTH));
+                        let f = W::side_by_side::<L>(
+                            #[inline(always)]
+                            |k| now[k],
+                        );
+                        mark = self.touch_block(&f, at, b, call, first);
+                    },
+                ),
+            },
+        );
         mark
     }
 

@@ -1,0 +1,143 @@
+//! The batched pass against one contact after the other: random chains, particles and neighbour lists, every width, every
+//! bit of force, torque, history and flag.
+#[path = "../../../tests/laws/recipe.rs"]
+#[allow(dead_code)]
+mod recipe;
+#[path = "bits/scene.rs"]
+mod scene;
+
+use granlaw::chain::Chain;
+use granlaw_lanes::{batch, NonFinite, Trouble, Width};
+use recipe::{chain_of, chains, for_all, Case, Draw, Recipe, Switches};
+use scene::Scene;
+
+type Outcome = Result<(), String>;
+
+const WIDTHS: [Width; 3] = [Width::One, Width::Four, Width::Eight];
+
+/// What is changed between two passes; of the last four, the fits that are kept must follow.
+const CHANGES: [fn(&mut Scene, &mut Draw<'_>); 6] = [
+    |s, d| s.shake(d),
+    |s, d| s.shake(d),
+    |s, _| s.radius.iter_mut().for_each(|r| *r *= 1.01),
+    |s, _| s.mass.iter_mut().for_each(|m| *m *= 1.5),
+    |s, _| s.kind.iter_mut().for_each(|t| *t = 3 - *t),
+    |s, _| s.mask.iter_mut().step_by(3).for_each(|m| *m ^= 2),
+];
+
+fn offsets(r: &Recipe) -> Vec<usize> {
+    // A fix of another origin may own the first slot of a row.
+    let mut at = 1;
+    let mut place = |s: &granlaw::law::Setup| {
+        let begin = at;
+        at += s.meta.slots.len();
+        begin
+    };
+    r.setups.iter().map(&mut place).collect()
+}
+
+/// Several passes with changes between them; `bend` may spoil what the pass left.
+fn same(r: &Recipe, d: &mut Draw<'_>, bend: fn(&mut Scene)) -> Outcome {
+    let offsets = offsets(r);
+    let first = Scene::draw(r.slots() + 2, d);
+    for width in WIDTHS {
+        let mut one = Chain::new(&r.setups, &offsets).unwrap();
+        let mut all = batch(&r.setups, &offsets, width).unwrap().expect("all these laws have lanes");
+        let (mut a, mut b) = (first.clone(), first.clone());
+        let numbers: Vec<f64> = (0..64).map(|k| (0.37 * f64::from(k) + 0.11).fract()).collect();
+        for (k, change) in CHANGES.iter().enumerate() {
+            if k > 0 {
+                change(&mut a, &mut Draw::of(&numbers));
+                change(&mut b, &mut Draw::of(&numbers));
+            }
+            a.one_by_one(&mut one);
+            // SAFETY: the scene's own arrays.
+            unsafe { all.pass(&b.arrays(k == 0)) }.map_err(|e| format!("{width:?}: {e:?}"))?;
+            bend(&mut b);
+            a.compare(&b).map_err(|e| format!("{width:?}, pass {k}: {e}"))?;
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_pass_answers_as_single_contacts_do_to_the_last_bit() {
+    let touched = std::sync::atomic::AtomicUsize::new(0);
+    for chain in chains() {
+        for_all(&chain, Switches::Any, 24, None, |r, _, d| {
+            let scene = Scene::draw(r.slots() + 2, &mut Draw::of(&[0.3, 0.7, 0.2, 0.9, 0.4, 0.6, 0.8, 0.1]));
+            touched.fetch_add(scene.touching(), std::sync::atomic::Ordering::Relaxed);
+            same(r, d, |_| {})
+        })
+        .unwrap();
+    }
+    assert!(touched.into_inner() > 1000, "hardly anything touched");
+}
+
+#[test]
+fn a_wrong_bit_is_seen() {
+    let faults: [(&str, fn(&mut Scene)); 4] = [
+        ("force", |s| s.f[5][1] = f64::from_bits(s.f[5][1].to_bits() ^ 1)),
+        ("torque", |s| s.torque[5][2] = f64::from_bits(s.torque[5][2].to_bits() ^ 1)),
+        ("history", |s| s.history[3] = f64::from_bits(s.history[3].to_bits() ^ 1)),
+        ("flag", |s| s.flags[4] ^= 8),
+    ];
+    for (what, fault) in faults {
+        let check = |r: &Recipe, _: &Case, d: &mut Draw<'_>| same(r, d, fault);
+        let error =
+            for_all(&chain_of(&["hooke/hysteresis", "history"]), Switches::Any, 1, None, check).unwrap_err();
+        assert!(error.contains(what), "{what}: {error}");
+    }
+}
+
+#[test]
+fn a_contact_that_is_not_finite_is_named() {
+    let check = |r: &Recipe, _: &Case, d: &mut Draw<'_>| {
+        for width in WIDTHS {
+            let mut scene = Scene::draw(r.slots() + 2, d);
+            let (i, j) = scene.first_touching();
+            scene.v[j][0] = f64::NAN;
+            let mut all = batch(&r.setups, &offsets(r), width).unwrap().unwrap();
+            // SAFETY: the scene's own arrays.
+            let got = unsafe { all.pass(&scene.arrays(true)) };
+            let Err(Trouble::NonFinite(NonFinite { i: a, j: b, vn, .. })) = got else {
+                return Err(format!("{width:?}: {got:?}"));
+            };
+            if (a, b) != (i, j) || !vn.is_nan() {
+                return Err(format!("{width:?}: {a}-{b} was named where it is {i}-{j}"));
+            }
+            return Ok(());
+        }
+        Ok(())
+    };
+    for_all(&chain_of(&["hertz", "no_history"]), Switches::Any, 16, None, check).unwrap();
+}
+
+#[test]
+fn arrays_that_do_not_fit_together_are_refused() {
+    let spoil: [(&str, fn(&mut Scene)); 3] = [
+        ("neighbour list names a particle", |s| s.neighbours[2] = s.x.len() as i32),
+        ("atom type", |s| s.kind[1] = 3),
+        ("no room", |s| s.row = 2),
+    ];
+    for (says, spoil) in spoil {
+        let check = |r: &Recipe, _: &Case, d: &mut Draw<'_>| {
+            let mut scene = Scene::draw(r.slots() + 2, d);
+            spoil(&mut scene);
+            let mut all = batch(&r.setups, &offsets(r), Width::One).unwrap().unwrap();
+            // SAFETY: the scene's own arrays; what was spoilt is to be found before it is used.
+            match unsafe { all.pass(&scene.arrays(true)) } {
+                Err(Trouble::Arrays(what)) if what.contains(says) => Ok(()),
+                other => Err(format!("{says}: {other:?}")),
+            }
+        };
+        for_all(&chain_of(&["hooke/hysteresis", "history"]), Switches::Any, 1, None, check).unwrap();
+    }
+}
+
+#[test]
+fn lanes_are_named_in_words() {
+    assert_eq!(Width::named("8"), Ok(Width::Eight));
+    assert_eq!(Width::named(""), Ok(Width::widest()));
+    assert!(Width::named("3").unwrap_err().contains("must be 1, 4 or 8"));
+}
