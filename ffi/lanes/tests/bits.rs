@@ -11,6 +11,7 @@ use granlaw_lanes::{batch, NonFinite, Trouble, Width};
 use recipe::{chain_of, chains, for_all, Case, Draw, Recipe, Switches};
 use scene::Scene;
 
+type Change = fn(&mut Scene);
 type Outcome = Result<(), String>;
 
 const WIDTHS: [Width; 3] = [Width::One, Width::Four, Width::Eight];
@@ -37,7 +38,7 @@ fn offsets(r: &Recipe) -> Vec<usize> {
 }
 
 /// Several passes with changes between them; `bend` may spoil what the pass left.
-fn same(r: &Recipe, d: &mut Draw<'_>, bend: fn(&mut Scene)) -> Outcome {
+fn same(r: &Recipe, d: &mut Draw<'_>, bend: Change) -> Outcome {
     let offsets = offsets(r);
     let first = Scene::draw(r.slots() + 2, d);
     for width in WIDTHS {
@@ -76,7 +77,7 @@ fn a_pass_answers_as_single_contacts_do_to_the_last_bit() {
 
 #[test]
 fn a_wrong_bit_is_seen() {
-    let faults: [(&str, fn(&mut Scene)); 4] = [
+    let faults: [(&str, Change); 4] = [
         ("force", |s| s.f[5][1] = f64::from_bits(s.f[5][1].to_bits() ^ 1)),
         ("torque", |s| s.torque[5][2] = f64::from_bits(s.torque[5][2].to_bits() ^ 1)),
         ("history", |s| s.history[3] = f64::from_bits(s.history[3].to_bits() ^ 1)),
@@ -106,7 +107,6 @@ fn a_contact_that_is_not_finite_is_named() {
             if (a, b) != (i, j) || !vn.is_nan() {
                 return Err(format!("{width:?}: {a}-{b} was named where it is {i}-{j}"));
             }
-            return Ok(());
         }
         Ok(())
     };
@@ -115,7 +115,7 @@ fn a_contact_that_is_not_finite_is_named() {
 
 #[test]
 fn arrays_that_do_not_fit_together_are_refused() {
-    let spoil: [(&str, fn(&mut Scene)); 3] = [
+    let spoil: [(&str, Change); 3] = [
         ("neighbour list names a particle", |s| s.neighbours[2] = s.x.len() as i32),
         ("atom type", |s| s.kind[1] = 3),
         ("no room", |s| s.row = 2),
