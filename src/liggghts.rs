@@ -148,6 +148,11 @@ impl Folder {
         let env = preload.map(Preload::env).unwrap_or_default();
         let mut command = host.command(deck.ranks, &env)?;
         command.args(["-in", &deck.file()]).current_dir(self.path());
+        if deck.ranks == 1 {
+            host::alone(&mut command);
+        }
+        // MPI keeps a folder of its own, and leaves it where it is stopped.
+        command.env("TMPDIR", self.temp.path());
         command.stdin(Stdio::null()).stdout(out?).stderr(err?);
         let begun = Instant::now();
         let end = process::run(&mut command, limit).map_err(RunError::io("start", &host.program))?;

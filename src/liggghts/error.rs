@@ -16,8 +16,13 @@ pub enum RunError {
     #[error("liggghts is not in PATH; on Debian install the package liggghts (apt-get install liggghts)")]
     NoLiggghts,
     /// Something else has its name.
-    #[error("{} does not answer -h as LIGGGHTS does; put LIGGGHTS first in PATH", .0.display())]
-    NotLiggghts(PathBuf),
+    #[error("{} does not answer -h as LIGGGHTS does but says {said:?}; put LIGGGHTS first in PATH, or mend what keeps it from starting", program.display())]
+    NotLiggghts {
+        /// The program.
+        program: PathBuf,
+        /// The beginning of its answer.
+        said: String,
+    },
     /// There is no mpirun.
     #[error(
         "mpirun is not in PATH and {ranks} ranks are asked for; on Debian install the package openmpi-bin"

@@ -6,6 +6,9 @@ const HUGE: f64 = 1e150;
 /// Relative errors outside these powers of ten are drawn at the edge: beyond them lie denormals and blow-ups.
 const DECADES: (i32, i32) = (-20, 20);
 
+/// The power of ten where a logarithmic axis begins at the latest.
+const ROUND_OFF: f64 = -17.0;
+
 /// Share of a logarithmic axis below its first decade that is kept for errors of exactly zero.
 const ZERO_STRIP: f64 = 0.1;
 
@@ -70,13 +73,14 @@ impl Axis {
         axis
     }
 
-    /// A logarithmic axis over the sizes of the values, with a place of its own for exact zeros.
+    /// A logarithmic axis over the sizes of the values, down to round-off at least, with a place of its own for exact
+    /// zeros.
     pub(super) fn log(values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
         let sizes: Vec<f64> = values.filter(|v| drawable(*v)).map(f64::abs).collect();
         let positive = sizes.iter().copied().filter(|v| *v > 0.0).map(f64::log10);
         let (low, high) = range(positive).unwrap_or((-17.0, -12.0));
         let clamp = |power: f64| power.clamp(DECADES.0.into(), DECADES.1.into());
-        let (low, high) = (clamp(low.floor()), clamp(high.ceil()));
+        let (low, high) = (clamp(low.floor().min(ROUND_OFF)), clamp(high.ceil()));
         let high = if high > low { high } else { low + 1.0 };
         let strip = if sizes.contains(&0.0) { ZERO_STRIP } else { 0.0 };
         let scale = Scale::Log { low, high, strip };

@@ -100,7 +100,7 @@ fn row(case: &Case, id: &str) -> String {
         esc(&case.title),
         badge(&verdict),
         summary::tally(case.checks.iter()),
-        case.closest().map_or("–".into(), closest),
+        case.closest().map_or_else(|| summary::no_closest(&verdict).into(), closest),
         case.calls,
         count(case.calls),
         case.seconds,
@@ -159,7 +159,7 @@ fn check(check: &Check) -> String {
     let cells = [
         ("check", format!("<b>{}</b><br><small>shows {}</small>", esc(&check.name), check.shows.word())),
         ("outcome", badge(&check.outcome) + &why),
-        ("worst at", check.worst.as_ref().map(place).unwrap_or_default()),
+        ("worst at", check.worst.as_ref().map_or_else(|| nowhere(check), place)),
         ("got, expected", check.worst.as_ref().map(values).unwrap_or_default()),
         ("error", check.worst.as_ref().map(error).unwrap_or_default()),
         ("limit", check.tolerance.as_ref().map(limit).unwrap_or_default()),
@@ -167,6 +167,11 @@ fn check(check: &Check) -> String {
     // The inner element keeps a cell together where narrow screens set its label beside it.
     let cell = |(name, text): &(&str, String)| format!("<td data-label=\"{name}\"><div>{text}</div></td>");
     format!("<tr>{}</tr>\n", cells.iter().map(cell).collect::<String>())
+}
+
+/// Where the worst is, if there is none.
+fn nowhere(check: &Check) -> String {
+    if check.outcome == Outcome::Agreed { "nowhere<br><small>every bit is equal</small>" } else { "" }.into()
 }
 
 fn place(worst: &Worst) -> String {

@@ -49,7 +49,7 @@ fn about(report: &Report) -> String {
 
 fn row(case: &Case, id: &str) -> String {
     let verdict = case.verdict();
-    let closest = case.closest().map_or("–".into(), closest);
+    let closest = case.closest().map_or_else(|| summary::no_closest(&verdict).into(), closest);
     let (sign, word) = (verdict.sign(), verdict.word());
     let (checks, time) = (summary::tally(case.checks.iter()), seconds(case.seconds));
     format!("| {} | {sign} {word} | {checks} | {closest} | {time} |", esc(id))

@@ -112,11 +112,9 @@ impl Plot<'_> {
             let (y, class) = (up(self.y.place(*limit)?), class(answer));
             let line = format!("<path class=\"limit {class}\" d=\"M{LEFT} {y:.1}H{right}\"/>");
             let text = format!("limit of {}", esc(answer));
-            Some(format!(
-                "{line}<text class=\"note\" x=\"{}\" y=\"{:.1}\">{text}</text>",
-                right - 4.0,
-                y + 12.0
-            ))
+            // Above its line, where errors of zero do not lie; below it only at the upper edge.
+            let at = if y - 14.0 < TOP { y + 12.0 } else { y - 4.0 };
+            Some(format!("{line}<text class=\"note\" x=\"{}\" y=\"{at:.1}\">{text}</text>", right - 4.0))
         };
         self.limits.iter().filter_map(draw).collect()
     }

@@ -77,6 +77,15 @@ impl Case {
     }
 }
 
+/// What stands in for the closest check of a case that has none.
+pub(super) fn no_closest(verdict: &Outcome) -> &'static str {
+    if *verdict == Outcome::Agreed {
+        "every bit is equal"
+    } else {
+        "–"
+    }
+}
+
 /// The verdict in one sentence.
 pub(super) fn headline(report: &Report) -> String {
     let all = report.cases.len();

@@ -5,7 +5,7 @@ use crate::compare::{self, CompareError, Difference, Frame, Quantity, Spot};
 use crate::deck::Final;
 use crate::law::Shape;
 use crate::laws::find;
-use crate::replay::{replay as replay_one, Replay};
+use crate::replay::{replay_from, Replay, ReplayError};
 use crate::report::{Case, Check, Curve, Parameter, Shows, Worst};
 use crate::trace::{Header, LawSpec, Property, Reader, Row, TraceError};
 use std::path::{Path, PathBuf};
@@ -67,7 +67,9 @@ fn parameter(law: &LawSpec, p: &Property) -> Parameter {
 /// Every call of the traces again through the Rust laws, with the history of the longest contact followed.
 pub(super) fn replay(traces: &[PathBuf], shows: Shows, limit: Limit<'_>) -> (Check, Vec<Curve>) {
     let name = "replay";
-    let done: Result<Vec<Replay>, _> = traces.iter().map(|p| replay_one(p)).collect();
+    // The folder of the trace is gone by the time that somebody reads of it.
+    let one = |p: &PathBuf| replay_from(Reader::open(p)?, &file(p));
+    let done: Result<Vec<Replay>, ReplayError> = traces.iter().map(one).collect();
     let done = match done {
         Ok(done) => done,
         Err(e) => return (checks::could_not(name, shows, e.to_string()), Vec::new()),
@@ -76,14 +78,12 @@ pub(super) fn replay(traces: &[PathBuf], shows: Shows, limit: Limit<'_>) -> (Che
     let Some(worst) = worst else {
         return (checks::could_not(name, shows, "no contact call was recorded"), Vec::new());
     };
-    let check = checks::within(name, shows, limit, worst.report().unwrap_or_else(|| none("bit-equal")));
+    let check = match worst.report() {
+        Some(worst) => checks::within(name, shows, limit, worst),
+        None => checks::equal(name, shows, limit),
+    };
     let longest = done.into_iter().max_by_key(|r| r.curves[0].time.len());
     (check, longest.map(|r| r.curves.to_vec()).unwrap_or_default())
-}
-
-/// No difference at all.
-fn none(norm: &str) -> Worst {
-    Worst { step: 0, what: "nothing".into(), got: 0.0, expected: 0.0, error: 0.0, norm: norm.into() }
 }
 
 /// Where two answers differ, if they do.
@@ -119,10 +119,13 @@ fn first_difference(file: &str, t: &compare::Traces) -> Found {
         Some(s) => format!("step {}, contact {}-{} (line {})", s.step, s.tags.0, s.tags.1, s.line),
         None => "its end".into(),
     };
+    // The force tells most; a column of nothing but round-off would be off by the most.
+    let force = t.quantities.iter().find(|q| q.name == "force_i" && !q.identical());
+    let worst = force.or_else(|| Quantity::worst_of(&t.quantities)).and_then(Quantity::report);
     if let Some(stray) = t.stray {
-        return Some((format!("{file}: {} where {} was expected", at(stray.got), at(stray.expected)), None));
+        return Some((format!("{file}: {} where {} was expected", at(stray.got), at(stray.expected)), worst));
     }
-    let worst = Quantity::worst_of(&t.quantities).and_then(Quantity::report)?;
+    let worst = worst?;
     let Worst { what, step, got, expected, .. } = &worst;
     Some((format!("{file}: {what} at step {step} is {got:e} where {expected:e} was expected"), Some(worst)))
 }

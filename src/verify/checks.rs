@@ -33,6 +33,11 @@ pub(super) fn within(name: &str, shows: Shows, limit: Limit<'_>, worst: Worst) -
     Check { name: name.into(), shows, outcome, tolerance: limit.tolerance(), worst: Some(worst) }
 }
 
+/// Answers that may differ and do not.
+pub(super) fn equal(name: &str, shows: Shows, limit: Limit<'_>) -> Check {
+    Check { tolerance: limit.tolerance(), ..bare(name, shows, Outcome::Agreed) }
+}
+
 /// Answers that must be the same to the last bit: `difference` says where they are not.
 pub(super) fn identical(
     name: &str,

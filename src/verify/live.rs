@@ -7,7 +7,7 @@ use crate::report::{Case, Curve, Shows};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-const RECORDED: &str = "LIGGGHTS's own laws give the same bits whether or not their calls are recorded";
+const RECORDED: &str = "the same laws give the same bits whether or not their calls are recorded";
 
 /// What every case needs.
 pub(super) struct Bench<'a> {
@@ -165,9 +165,15 @@ impl Trial<'_> {
             self.case.checks.push(checks::identical("plugin", Shows::Boundary, &reason, difference));
             return Ok(());
         }
+        // The dumps say where the runs part, the traces where they are furthest apart.
+        let furthest = difference.and_then(|(_, worst)| worst);
         for (name, first, mode) in runs {
             let ran = self.attempt(*first, *mode).map_err(|e| Stopped("plugin", e))?;
-            self.case.checks.push(answers::dumps(name, Shows::Boundary, &asked.reason, &ran, stock));
+            let mut check = answers::dumps(name, Shows::Boundary, &asked.reason, &ran, stock);
+            if *mode == rust && check.worst.is_some() {
+                check.worst = furthest.clone().or(check.worst);
+            }
+            self.case.checks.push(check);
         }
         Ok(())
     }

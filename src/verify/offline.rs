@@ -29,7 +29,8 @@ pub(super) fn notes(missing: &RunError, decks: &[(String, Deck)], traces: usize)
     vec![
         format!("No live run: {why}"),
         format!("{traces} recorded traces were replayed in their place"),
-        format!("{} decks were not run: {}", decks.len(), names.join(", ")),
+        format!("decks that were not run: {} ({})", decks.len(), names.join(", ")),
+        "checks that only a live run can make are left out: recorded, plugin and final of every case".into(),
     ]
 }
 

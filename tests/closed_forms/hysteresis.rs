@@ -58,20 +58,33 @@ impl Pair {
         1.0 - (self.v_limit() / v).powi(2) * (soft + adhesion)
     }
 
-    /// Duration below the limit of an impact that does not stick.
-    fn duration(&self, v: f64) -> f64 {
-        let (delta_max, k2) = self.loaded(v);
-        let quarter = |k: f64| PI / 2.0 * (self.m / k).sqrt();
-        let d0 = (1.0 - self.kn / k2) * delta_max;
-        if self.kc == 0.0 {
-            return quarter(self.kn) + quarter(k2) + d0 / (self.restitution_squared(v).sqrt() * v);
+    /// Time of the way in, k2 of the way out, where that meets zero force, and how far above that it begins.
+    fn way_in(&self, v: f64) -> (f64, f64, f64, f64) {
+        let w1 = (self.kn / self.m).sqrt();
+        if v < self.v_limit() {
+            let (delta_max, k2) = self.loaded(v);
+            return (PI / 2.0 / w1, k2, (1.0 - self.kn / k2) * delta_max, self.kn * delta_max / k2);
         }
-        let (w2, wc) = ((k2 / self.m).sqrt(), (self.kc / self.m).sqrt());
-        let amplitude = self.kn * delta_max / k2;
+        // Along kn to the limit, and on along k2max.
+        let (k2, w2) = (self.k2max, (self.k2max / self.m).sqrt());
+        let above = self.kn / k2 * self.delta_lim;
+        let amplitude = above.hypot((v * v - self.v_limit().powi(2)).sqrt() / w2);
+        let time = (self.v_limit() / v).asin() / w1 + (above / amplitude).acos() / w2;
+        (time, k2, self.delta_lim - above, amplitude)
+    }
+
+    /// Duration of an impact that does not stick.
+    fn duration(&self, v: f64) -> f64 {
+        let (time, k2, d0, amplitude) = self.way_in(v);
+        let w2 = (k2 / self.m).sqrt();
+        if self.kc == 0.0 {
+            return time + PI / 2.0 / w2 + d0 / (w2 * amplitude);
+        }
+        let wc = (self.kc / self.m).sqrt();
         let d_min = k2 * d0 / (k2 + self.kc);
         let angle = ((d_min - d0) / amplitude).acos();
         let v_min = amplitude * w2 * angle.sin();
-        quarter(self.kn) + angle / w2 + (wc * d_min / v_min).atanh() / wc
+        time + angle / w2 + (wc * d_min / v_min).atanh() / wc
     }
 
     /// With `n` steps in the time that a linear spring kn would take.
@@ -139,9 +152,11 @@ fn an_unloading_stiffness_off_by_a_thousandth_is_seen() {
 }
 
 #[test]
-fn durations_with_and_without_adhesion() {
+fn durations_below_and_beyond_the_limit_with_and_without_adhesion() {
     for wall in [false, true] {
-        for (adhesion, part) in [(0.0, 0.3), (0.0, 0.9), (0.1, 0.3), (0.1, 0.9), (0.4, 0.3), (0.4, 0.6)] {
+        let below = [(0.0, 0.3), (0.0, 0.9), (0.1, 0.3), (0.1, 0.9), (0.4, 0.3), (0.4, 0.6)];
+        let beyond = [(0.0, 1.1), (0.0, 3.0), (0.1, 1.1), (0.4, 1.5), (1.0, 3.0)];
+        for (adhesion, part) in below.into_iter().chain(beyond) {
             let pair = Pair::new(wall, adhesion);
             let v = part * pair.v_limit();
             let expected = pair.duration(v);

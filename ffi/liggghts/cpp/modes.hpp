@@ -43,6 +43,8 @@ inline const Mode &mode() {
     m.lanes = get("GRANLAW_LANES");
     m.record = get("GRANLAW_RECORD");
     m.probe = get("GRANLAW_PROBE");
+    // LIGGGHTS's own laws can be recorded and probed only in our chain.
+    if (laws.empty() && (!m.record.empty() || !m.probe.empty())) m.laws = Laws::stock;
     m.deck = get("GRANLAW_DECK");
     const std::string every = get("GRANLAW_EVERY");
     if (!every.empty()) {

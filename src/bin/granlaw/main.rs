@@ -38,8 +38,17 @@ fn main() -> ExitCode {
         Command::Verify(args) => verify::run(&args),
     };
     done.unwrap_or_else(|error| {
-        eprintln!("granlaw: {error:#}");
+        eprintln!("granlaw: {}", told(&error));
         ExitCode::from(2)
+    })
+}
+
+/// The error with its causes, without those that it tells already.
+fn told(error: &anyhow::Error) -> String {
+    error.chain().map(ToString::to_string).fold(String::new(), |told, cause| match told.is_empty() {
+        true => cause,
+        false if told.contains(&cause) => told,
+        false => format!("{told}: {cause}"),
     })
 }
 

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 /// made of it. Errors are relative to the peak of each quantity over the trace.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  granlaw run --laws stock --record calls.trace -- -in deck.in
+  granlaw run --record calls.trace -- -in deck.in
   granlaw replay calls.trace
 
 Exit status: 0 agreed, 1 disagreed, 2 a trace cannot be replayed.")]

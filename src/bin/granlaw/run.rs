@@ -8,13 +8,13 @@ use std::process::ExitCode;
 /// Run LIGGGHTS with the Rust laws in it.
 ///
 /// LIGGGHTS runs in this folder, in place of granlaw: input, output, exit status, Ctrl-C and signals are its own.
-/// Without --laws the names ending in `/rs` are ours and all others LIGGGHTS's own.
+/// Without --laws the names ending in `/rs` are ours and all others LIGGGHTS's own; --record then implies --laws stock,
+/// which is the same with LIGGGHTS's laws where they can be recorded.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   granlaw run -- -in deck.in                       a deck that names laws ending in /rs
   granlaw run --laws rust -- -in deck.in           any deck, on the Rust laws
-  granlaw run --laws stock --record calls.trace -- -in deck.in
-                                                   LIGGGHTS's own laws, every contact call recorded
+  granlaw run --record calls.trace -- -in deck.in  LIGGGHTS's own laws, every contact call recorded
   granlaw run --probe scene.json -- -in deck.in    what the contacts of a scene do
   granlaw run --laws rust --np 4 -- -in deck.in    on four MPI ranks")]
 pub struct Args {
@@ -70,8 +70,8 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         }
     }
     let laws = match args.laws {
-        // A probe sees stock laws only where they run in our chain.
-        None if args.probe.is_some() => Laws::Stock,
+        // LIGGGHTS's own laws can be recorded and probed only where they run in our chain.
+        None if args.record.is_some() || args.probe.is_some() => Laws::Stock,
         None => Laws::Own,
         Some(Whose::Rust) => Laws::Rust,
         Some(Whose::Stock) => Laws::Stock,

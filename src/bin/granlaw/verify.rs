@@ -57,6 +57,7 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
+    report::check_target(&args.out)?;
     let plan = Plan::new(Options {
         decks: args.decks.clone(),
         jobs: args.jobs,
