@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn exact_zeros_have_their_own_place_on_a_log_axis() {
         let axis = Axis::log([0.0, 3e-16, -2e-14].into_iter(), "error");
-        assert_eq!(texts(&axis), ["10⁻¹⁶", "10⁻¹⁵", "10⁻¹⁴", "10⁻¹³", "0"]);
+        assert_eq!(texts(&axis), ["10⁻¹⁷", "10⁻¹⁶", "10⁻¹⁵", "10⁻¹⁴", "10⁻¹³", "0"]);
         let (zero, small) = (axis.place(0.0).unwrap(), axis.place(3e-16).unwrap());
         assert!(zero < ZERO_STRIP && small > ZERO_STRIP);
         assert_eq!(axis.place(2e-14), axis.place(-2e-14));

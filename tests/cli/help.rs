@@ -26,7 +26,7 @@ fn every_command_has_help_with_an_example_of_itself() {
         assert!(examples.contains(&format!("  granlaw {command}")), "{help}");
         // Options without a word of explanation help nobody.
         let options: Vec<_> = help.split("Options:").nth(1).unwrap().lines().collect();
-        for (k, line) in options.iter().enumerate().filter(|(_, l)| l.trim_start().starts_with("--")) {
+        for (k, line) in options.iter().enumerate().filter(|(_, l)| l.starts_with("      --")) {
             let explained = options.get(k + 1).is_some_and(|l| l.starts_with("        "));
             assert!(explained || line.trim().contains("  "), "{command}: {line}");
         }
@@ -112,6 +112,7 @@ fn laws_as_json_hold_all_that_the_laws_say_of_themselves() {
         "id": 49,
         "keyword": "cdt/rs",
         "kind": "rolling",
+        "per_atom": [],
         "properties": [
           {
             "doc": "coefficient of rolling friction",
