@@ -88,8 +88,8 @@ pub const COLUMNS: &[Column] = &[
     column("has_force", "1", "1 if a law said that there is a force", |r| Flag(&mut r.has_force)),
 ];
 
-/// The names in the line of columns for a chain with these slots of history.
-pub fn column_names(slots: &[String]) -> Vec<String> {
+/// The names in the line of columns for a chain with these numbers of single atoms and these slots of history.
+pub fn column_names(atoms: &[String], slots: &[String]) -> Vec<String> {
     let mut any = Row::default();
     let mut names = Vec::new();
     for c in COLUMNS {
@@ -98,6 +98,7 @@ pub fn column_names(slots: &[String]) -> Vec<String> {
             _ => names.push(c.name.to_string()),
         }
     }
+    names.extend(atoms.iter().flat_map(|a| ["i", "j"].map(|of| format!("{of}.{a}"))));
     for when in ["before", "after"] {
         names.extend(slots.iter().map(|s| format!("{when}.{s}")));
     }
@@ -112,6 +113,7 @@ pub fn columns_markdown() -> String {
         let axes = if matches!((c.cell)(&mut any), Vector(_)) { "`.x .y .z`" } else { "" };
         let _ = writeln!(table, "| `{}`{axes} | {} | {} |", c.name, c.unit, c.doc);
     }
+    table += "| `i.`name `j.`name | of the property | what the deck gives i and j in `fix property/atom`, if a law reads it |\n";
     table += "| `before.`slot | of the slot | history before the call, one column per slot of the header |\n";
     table += "| `after.`slot | of the slot | history after the call |\n";
     table

@@ -39,6 +39,9 @@ pub struct Header {
     /// Remarks for people, for instance on columns that were not recorded but computed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+    /// What the deck gives each atom and a law reads, by its name in `fix property/atom`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub atoms: Vec<String>,
     /// Every slot in a row of history, those of laws that granlaw lacks included.
     pub slots: Vec<String>,
     /// The laws of the chain, in the order in which they run.
@@ -185,6 +188,12 @@ impl LawSpec {
 }
 
 impl Header {
+    /// Where the numbers of [`Header::atoms`] stand in [`Body::given`]; `None` for one that no law here reads.
+    pub fn places(&self) -> impl Iterator<Item = Option<usize>> + '_ {
+        let known = || LAWS.iter().flat_map(|e| e.meta.atoms);
+        self.atoms.iter().map(move |name| known().find(|a| a.name == name).map(|a| a.place))
+    }
+
     /// What each law is made from, ready for [`Chain::new`].
     ///
     /// # Errors

@@ -172,8 +172,8 @@ impl<R: Read> Reader<R> {
             line,
             what: e.message().to_string(),
         })?;
-        if self.headers > 0 && header.slots != self.header.slots {
-            let what = "its history slots are not those of the first header".to_string();
+        if self.headers > 0 && (&header.atoms, &header.slots) != (&self.header.atoms, &self.header.slots) {
+            let what = "its history slots or atom properties are not those of the first header".to_string();
             return Err(TraceError::Header { file, line, what });
         }
         self.header = header;
@@ -182,7 +182,7 @@ impl<R: Read> Reader<R> {
     }
 
     fn check_columns(&mut self) -> Result<(), TraceError> {
-        self.columns = column_names(&self.header.slots);
+        self.columns = column_names(&self.header.atoms, &self.header.slots);
         let (line, mut fields) = (self.here(), self.line.iter());
         for number in 1.. {
             let found = fields.next().map(|f| String::from_utf8_lossy(f).into_owned());
@@ -226,6 +226,14 @@ impl<R: Read> Reader<R> {
                 }
                 Cell::Number(x) => *x = at.number()?,
                 Cell::Vector(v) => *v = [at.number()?, at.number()?, at.number()?].into(),
+            }
+        }
+        for place in self.header.places() {
+            for body in [&mut row.gap.i, &mut row.gap.j] {
+                let number = at.number()?;
+                if let Some(place) = place {
+                    body.given[place] = number;
+                }
             }
         }
         for history in [&mut row.before, &mut row.after] {

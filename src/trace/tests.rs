@@ -39,6 +39,7 @@ fn header() -> Header {
         types: 2,
         nktv2p: 1.0,
         dt: 2e-6,
+        atoms: vec!["bondnonlinear_random_id".into()],
         slots: vec!["deltaMax".into()],
         laws: vec![law],
         particles: vec![particle],
@@ -62,7 +63,7 @@ fn row() -> Row {
         x: v(),
         v: v(),
         omega: v(),
-        ..Body::default()
+        given: [v().x],
     };
     let (i, j) = (body(3, &mut vector), body(-1, &mut vector));
     let gap = Gap { call, i, j, delta: vector(), rsq: vector().x, meff: vector().y };
@@ -151,7 +152,7 @@ fn other_slots_in_a_later_header_are_refused() {
     let mut other = header();
     other.slots.push("more".into());
     let mut w = Writer::new(Vec::new(), "t", &header()).unwrap();
-    assert!(w.header(&other).unwrap_err().to_string().contains("slots change"));
+    assert!(w.header(&other).unwrap_err().to_string().contains("atom properties change"));
     let whole = written(1);
     let head = whole[..whole.find("step,").unwrap()].replace("deltaMax", "deltaMin");
     let why = refusal(&whole.replace("# end 1", &(head + "# end 1")));
@@ -183,14 +184,14 @@ fn damage_is_named_with_its_line_and_column() {
         ("# types = 2", "# types = \"two\"", "t.csv:1: in the header"),
         ("# types = 2", "# tipes = 2", "tipes"),
         ("radius_i", "radius", "column 11 is \"radius\" where \"radius_i\" belongs"),
-        (",after.deltaMax\n", "\n", "column 70 is \"\" where \"after.deltaMax\" belongs"),
+        (",after.deltaMax\n", "\n", "column 72 is \"\" where \"after.deltaMax\" belongs"),
         ("# end 2", "# end 3", "the last line says 3 rows where there are 2"),
         ("# end 2", "# end 2\n# end 2", "text behind the last line"),
         ("# end 2", "# remark\n# end 2", "belongs to no header"),
         (",-1,1,2,", ",-1,1,3,", "\"3\" in column type_j is not an atom type"),
         ("\n12,", "\n12.5,", "\"12.5\" in column step is not a whole number"),
         (",inf,", ",infinite,", "\"infinite\" in column kn is not a number"),
-        ("\n12,", "\n12,12,", "the row has 71 fields where 70 columns are named"),
+        ("\n12,", "\n12,12,", "the row has 73 fields where 72 columns are named"),
     ];
     for (from, to, says) in cases {
         assert!(whole.contains(from), "{from}");
@@ -223,7 +224,7 @@ fn the_table_of_columns_has_every_column() {
     for c in COLUMNS {
         assert!(table.contains(&format!("| `{}`", c.name)) && !c.doc.is_empty(), "{}", c.name);
     }
-    assert_eq!(table.lines().count(), COLUMNS.len() + 4);
+    assert_eq!(table.lines().count(), COLUMNS.len() + 5);
 }
 
 #[test]

@@ -11,6 +11,8 @@ pub struct Writer<W: Write> {
     out: csv::Writer<W>,
     file: String,
     slots: Vec<String>,
+    atoms: Vec<String>,
+    places: Vec<Option<usize>>,
     rows: u64,
     scratch: Row,
     text: String,
@@ -50,23 +52,28 @@ impl<W: Write> Writer<W> {
             out,
             file: file.to_string(),
             slots: header.slots.clone(),
+            atoms: header.atoms.clone(),
+            places: header.places().collect(),
             rows: 0,
             scratch: Row::default(),
             text: String::new(),
             rename: None,
         };
         writer.head(header)?;
-        writer.lines(&column_names(&header.slots).join(","))?;
+        writer.lines(&column_names(&header.atoms, &header.slots).join(","))?;
         Ok(writer)
     }
 
     /// A header that holds from here on, after coefficients were prepared again. The slots must be the same.
     ///
     /// # Errors
-    /// Other slots, or if writing fails.
+    /// Other slots or atom properties, or if writing fails.
     pub fn header(&mut self, header: &Header) -> Result<(), TraceError> {
-        if header.slots != self.slots {
-            let what = format!("history slots change from {:?} to {:?}", self.slots, header.slots);
+        if (&header.slots, &header.atoms) != (&self.slots, &self.atoms) {
+            let what = format!(
+                "history slots or atom properties change from {:?} {:?} to {:?} {:?}",
+                self.slots, self.atoms, header.slots, header.atoms
+            );
             return Err(self.failed(io::Error::new(io::ErrorKind::InvalidInput, what)));
         }
         self.head(header)
@@ -122,6 +129,11 @@ impl<W: Write> Writer<W> {
                 Cell::Vector(v) => {
                     v.iter().try_for_each(|x| number(&mut self.out, &mut self.text, *x))?;
                 }
+            }
+        }
+        for place in &self.places {
+            for body in [&row.gap.i, &row.gap.j] {
+                number(&mut self.out, &mut self.text, place.map_or(f64::NEG_INFINITY, |k| body.given[k]))?;
             }
         }
         for x in row.before.iter().chain(&row.after) {

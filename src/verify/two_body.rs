@@ -170,7 +170,8 @@ impl Scale {
     fn raise(&mut self, r: &Row) {
         let speed = |b: &Body| b.v.norm().max(b.omega.norm() * b.radius);
         // Of bodies that never touch, the gap.
-        self.overlap = self.overlap.max((r.gap.i.radius + r.gap.j.radius - r.gap.rsq.sqrt()).abs());
+        let overlap = r.gap.i.radius + r.gap.j.radius - r.gap.rsq.sqrt();
+        self.overlap = self.overlap.max(overlap.abs());
         self.speed = self.speed.max(speed(&r.gap.i)).max(speed(&r.gap.j));
         self.force = self.force.max(r.force_i.norm());
     }

@@ -53,6 +53,7 @@ class Given {
       fixes_[d.atoms[k].place] = static_cast<FixPropertyAtom *>(
           lmp_->modify->find_fix_property(d.atoms[k].name, "property/atom", "scalar", 0, 0, d.own_keyword, false));
   }
+  bool has(size_t place) const { return fixes_[place] != nullptr; }
   // Ghosts are new after each build of neighbour lists.
   void refresh() {
     for (FixPropertyAtom *fix : fixes_)

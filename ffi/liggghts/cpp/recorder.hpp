@@ -26,6 +26,7 @@ struct granlaw_recorded_chain {
   size_t n_laws;
   const char *const *slots;
   size_t n_slots;
+  bool given[GRANLAW_ATOM_PROPS];  // which properties of single atoms the deck gives
 };
 // The particles when the recording begins.
 struct granlaw_recorded_particles {

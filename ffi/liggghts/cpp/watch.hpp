@@ -143,10 +143,11 @@ class Watch {
     std::vector<const char *> names;
     for (const std::string &s : slots) names.push_back(s.c_str());
     const std::string path = recorder_ || !recording_ ? "" : path_of();
-    const granlaw_recorded_chain chain = {
+    granlaw_recorded_chain chain = {
         path.c_str(), lmp_->universe->version, mode().deck.c_str(), lmp_->update->unit_style, who_.c_str(),
         lmp_->comm->me, lmp_->comm->nprocs, mode().every, static_cast<size_t>(types), lmp_->force->nktv2p,
-        lmp_->update->dt, laws.data(), laws.size(), names.data(), names.size()};
+        lmp_->update->dt, laws.data(), laws.size(), names.data(), names.size(), {}};
+    for (size_t k = 0; k < GRANLAW_ATOM_PROPS; k++) chain.given[k] = given_.has(k);
     if (probe_) probed_ = probe_->chain(chain);
     if (recording_) check(recorder_ ? granlaw_record_again(recorder_, &chain) : granlaw_record_open(&chain, &recorder_));
   }

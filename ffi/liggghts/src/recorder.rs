@@ -1,5 +1,5 @@
 //! Writes what the C++ half sees of a chain into a trace. The structs are those of `cpp/recorder.hpp`, field by field.
-use granlaw::law::{Gap, Settings, Surface};
+use granlaw::law::{Gap, Settings, Surface, ATOM_PROPS};
 use granlaw::laws::LAWS;
 use granlaw::trace::{Handed, Header, LawSpec, Particle, Property, Row, TraceError, Writer};
 use granlaw_capi::abi::{granlaw_force_data, granlaw_pass, granlaw_status, granlaw_surfaces_intersect_data};
@@ -46,6 +46,7 @@ pub struct RecordedChain {
     n_laws: usize,
     slots: *const *const c_char,
     n_slots: usize,
+    given: [bool; ATOM_PROPS],
 }
 
 #[repr(C)]
@@ -105,11 +106,18 @@ pub(crate) unsafe fn header(c: &RecordedChain) -> Result<Header, Failure> {
             types: c.types,
             nktv2p: c.nktv2p,
             dt: c.dt,
+            atoms: atoms(c),
             slots: slice(c.slots, c.n_slots).iter().map(|s| text(*s)).collect(),
             laws,
             ..Header::default()
         })
     }
+}
+
+/// The properties of single atoms that the deck gives and a law reads.
+fn atoms(c: &RecordedChain) -> Vec<String> {
+    let all = LAWS.iter().flat_map(|e| e.meta.atoms);
+    all.filter(|a| c.given[a.place]).map(|a| a.name.to_string()).collect()
 }
 
 /// # Safety
