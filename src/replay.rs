@@ -3,7 +3,7 @@
 //! Each call stands alone: it begins with the recorded history, so errors cannot add up and a trace may be thinned.
 //! The error of a quantity is its largest difference over the trace relative to its peak; see [`Quantity`].
 use crate::chain::Chain;
-use crate::compare::{Follow, Quantity, Spot};
+use crate::compare::{across, gap, Follow, Quantity, Spot};
 use crate::law::{Contact, Stage, Surface};
 use crate::report::Curve;
 use crate::trace::{Header, HeaderError, Reader, Row, TraceError};
@@ -89,10 +89,21 @@ pub fn replay_from<R: Read>(mut trace: Reader<R>, file: &str) -> Result<Replay, 
         touches += u64::from(row.touch || row.has_force);
         again.run(&mut chain, &row);
         sums.add(trace.line(), &row, &again);
-        follow.row(&row, again.surface.deltan, again.stage.fn_);
+        let (overlap, force) = again.shown(&row);
+        follow.row(&row, overlap, force);
     }
     let quantities = sums.quantities();
     Ok(Replay { header, calls, touches, quantities, curves: follow.curves(["stock", "replay"]) })
+}
+
+impl Again {
+    /// Overlap and normal force for the plots.
+    fn shown(&self, row: &Row) -> (f64, f64) {
+        match row.touch {
+            true => (self.surface.deltan, self.stage.fn_),
+            false => (gap(row), across(row, &self.stage.force)),
+        }
+    }
 }
 
 /// The Rust answer to one call.

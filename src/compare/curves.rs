@@ -1,8 +1,27 @@
 //! Histories to plot, collected while rows go by.
 use crate::report::Curve;
 use crate::trace::Row;
+use nalgebra::Vector3;
 
-/// Follows the first contact that touches, in two answers, with at most [`Follow::POINTS`] points.
+/// Overlap \[m\] and normal force \[N\] of a recorded call; across a gap, of what acts there.
+pub(crate) fn shown(row: &Row) -> (f64, f64) {
+    match row.touch {
+        true => (row.surface.deltan, row.handed.fn_),
+        false => (gap(row), across(row, &row.force_i)),
+    }
+}
+
+/// Minus the gap \[m\].
+pub(crate) fn gap(row: &Row) -> f64 {
+    row.gap.i.radius + row.gap.j.radius - row.gap.rsq.sqrt()
+}
+
+/// The normal part of a force on i \[N\].
+pub(crate) fn across(row: &Row, force: &Vector3<f64>) -> f64 {
+    force.dot(&row.gap.delta) / row.gap.rsq.sqrt()
+}
+
+/// Follows the first contact that has a force, in two answers, with at most [`Follow::POINTS`] points.
 #[derive(Debug, Default)]
 pub struct Follow {
     contact: Option<(i64, i64)>,
@@ -26,7 +45,7 @@ impl Follow {
     pub fn row(&mut self, row: &Row, overlap: f64, force: f64) {
         let (i, j) = (row.gap.i.tag, row.gap.j.tag);
         let tags = (i.min(j), i.max(j));
-        if row.touch && self.contact.is_none() {
+        if (row.touch || row.has_force) && self.contact.is_none() {
             self.contact = Some(tags);
             self.stride = 1;
         }
@@ -45,11 +64,11 @@ impl Follow {
             });
             self.stride *= 2;
         }
-        let call = &row.gap.call;
+        let (call, first) = (&row.gap.call, shown(row));
         self.points.push(Point {
             time: call.step as f64 * call.dt,
-            overlap: [row.surface.deltan, overlap],
-            force: [row.handed.fn_, force],
+            overlap: [first.0, overlap],
+            force: [first.1, force],
         });
     }
 

@@ -5,6 +5,7 @@ mod quantity;
 mod traces;
 
 pub use curves::Follow;
+pub(crate) use curves::{across, gap, shown};
 pub use dump::{dumps, is_dump, Difference, Dumps, Frame};
 pub use quantity::{Quantity, Spot, Worst};
 pub use traces::{traces, Stray, Traces};

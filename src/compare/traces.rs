@@ -1,5 +1,5 @@
 //! Two traces of the same chain, row by row.
-use super::{CompareError, Follow, Quantity, Spot};
+use super::{shown, CompareError, Follow, Quantity, Spot};
 use crate::report::Curve;
 use crate::trace::{Cell, Reader, Row, COLUMNS};
 use std::path::Path;
@@ -65,7 +65,8 @@ pub fn traces(got: &Path, expected: &Path, answers: [&str; 2]) -> Result<Traces,
             break;
         }
         rows += 1;
-        follow.row(&y, x.surface.deltan, x.handed.fn_);
+        let (overlap, force) = shown(&x);
+        follow.row(&y, overlap, force);
         row(&mut quantities, spot(&y, b.line()), &mut x, &mut y);
     }
     let [expected, got] = follow.curves([answers[1], answers[0]]);
