@@ -2,6 +2,7 @@
 use crate::built::source;
 use crate::live::{deck, live, plugin, program, report, Said, Scratch};
 use granlaw::deck::Deck;
+use granlaw::liggghts::Plugin;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -124,13 +125,20 @@ fn a_plugin_that_is_missing_or_does_not_fit_is_refused() {
             ],
         );
     }
-    let mark = b"granlaw-plugin abi=2 liggghts=3.8.0 end";
+    let abi = Plugin::ABI;
+    let mark = format!("granlaw-plugin abi={abi} liggghts=3.8.0 end");
     let whole = fs::read(plugin().unwrap().path).unwrap();
-    let at = whole.windows(mark.len()).position(|w| w == mark).expect("the mark of the plugin");
+    let at = whole.windows(mark.len()).position(|w| w == mark.as_bytes()).expect("the mark of the plugin");
     let marked = |text: &str| [&whole[..at], text.as_bytes(), &whole[at + mark.len()..]].concat();
     for (bytes, says) in [
-        (marked("granlaw-plugin abi=9 liggghts=3.8.0 end"), "has ABI version 9, this granlaw needs 2"),
-        (marked("granlaw-plugin abi=2 liggghts=none end"), "was built without LIGGGHTS's headers"),
+        (
+            marked("granlaw-plugin abi=999 liggghts=3.8.0 end"),
+            &format!("has ABI version 999, this granlaw needs {abi}")[..],
+        ),
+        (
+            marked(&format!("granlaw-plugin abi={abi} liggghts=none end")),
+            "was built without LIGGGHTS's headers",
+        ),
         (b"\x7fELF, but of someone else".to_vec(), "is not a granlaw plugin"),
     ] {
         fs::write(s.path("other.so"), bytes).unwrap();
