@@ -57,15 +57,21 @@ fn stop(child: &mut Child) -> io::Result<()> {
         sleep(Duration::from_millis(10));
     }
     let _ = kill_process_group(group, Signal::KILL);
-    for (id, started) in family {
-        if stat(id).is_some_and(|s| s.started == started) {
-            let _ = Pid::from_raw(id as i32).map(|p| kill_process(p, Signal::KILL));
-        }
+    let alive = |(id, started): &(u32, u64)| stat(*id).is_some_and(|s| s.started == *started && !s.dead);
+    for (id, _) in family.iter().filter(|f| alive(f)) {
+        let _ = Pid::from_raw(*id as i32).map(|p| kill_process(p, Signal::KILL));
+    }
+    // The system takes a moment to do it.
+    let killed = Instant::now();
+    while family.iter().any(alive) && killed.elapsed() < Duration::from_secs(3) {
+        sleep(Duration::from_millis(10));
     }
     child.wait().map(drop)
 }
 
 struct Stat {
+    /// Whether it has ended and only waits for its parent to notice.
+    dead: bool,
     parent: u32,
     started: u64,
 }
@@ -75,7 +81,8 @@ fn stat(id: u32) -> Option<Stat> {
     let text = fs::read_to_string(format!("/proc/{id}/stat")).ok()?;
     // The name in brackets may hold anything; the fields behind it are fixed.
     let fields: Vec<_> = text.rsplit_once(')')?.1.split_whitespace().collect();
-    Some(Stat { parent: fields.get(1)?.parse().ok()?, started: fields.get(19)?.parse().ok()? })
+    let dead = ["Z", "X"].contains(fields.first()?);
+    Some(Stat { dead, parent: fields.get(1)?.parse().ok()?, started: fields.get(19)?.parse().ok()? })
 }
 
 /// All descendants of a process, with their start times.
@@ -110,12 +117,7 @@ mod tests {
         assert!(matches!(end, End::TimedOut), "{end:?}");
         assert!(begun.elapsed() < Duration::from_secs(10));
         let id: u32 = fs::read_to_string(note).unwrap().trim().parse().unwrap();
-        let gone = || fs::read_to_string(format!("/proc/{id}/stat")).map_or(true, |s| s.contains(") Z "));
-        let limit = Instant::now() + Duration::from_secs(5);
-        while !gone() && Instant::now() < limit {
-            sleep(Duration::from_millis(10));
-        }
-        assert!(gone(), "process {id} is still there");
+        assert!(stat(id).is_none_or(|s| s.dead), "process {id} is still there");
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! `granlaw verify` over all decks, and everything that it leaves behind.
 use crate::built::source;
-use crate::live::{case, live, report, Scratch};
+use crate::live::{case, live, report, Said, Scratch};
 use granlaw::deck::Deck;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 /// What the comments of a deck ask for: the first word of each check, with blanks in it as in the report.
 fn asked(deck: &Path) -> Vec<String> {
@@ -120,4 +121,15 @@ fn a_case_that_proves_less_than_its_deck_asks_for_is_seen() {
     assert!(with("checks", skipped).contains("skipped"));
     assert!(with("calls", 3.into()).contains("only 3"));
     assert!(with("laws", serde_json::json!([])).contains("no laws"));
+}
+
+#[test]
+fn where_liggghts_is_missing_a_live_test_is_skipped_by_name_or_fails() {
+    let require = "GRANLAW_REQUIRE_LIGGGHTS";
+    let mut tests = Command::new(std::env::current_exe().unwrap());
+    tests.args(["--exact", "planted::each_fault_turns_its_own_check_red"]).env("PATH", "/nowhere");
+    Said::of(tests.env_remove(require))
+        .ends(0, &["skipped: each_fault_turns_its_own_check_red: liggghts is not in PATH", "1 passed"]);
+    Said::of(tests.env(require, "1"))
+        .ends(101, &["each_fault_turns_its_own_check_red cannot be skipped: liggghts is not in PATH"]);
 }
