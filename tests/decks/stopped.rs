@@ -75,7 +75,8 @@ fn a_run_that_hangs_is_stopped_with_all_that_it_started() {
         return;
     }
     let s = Scratch::new();
-    s.file("in/sleeps.in", &before_run("shell sleep 3600"));
+    // After the last run, for LIGGGHTS may read on before it notices that it is to stop.
+    s.file("in/sleeps.in", &deck(HEAD_ON, &[(RUN, &format!("{RUN}\nshell sleep 3600"))]));
     let two =
         [("# granlaw: title", "# granlaw: ranks 2\n# granlaw: title"), (RUN, "run             2000000000")];
     s.file("in/endless.in", &deck(HEAD_ON, &two));
