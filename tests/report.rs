@@ -1,4 +1,6 @@
 //! The report writers, on a report made by hand: what they say, not only that they say something.
+#[path = "report/page.rs"]
+mod page;
 #[path = "report/sample.rs"]
 mod sample;
 

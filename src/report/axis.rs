@@ -73,19 +73,50 @@ impl Axis {
         axis
     }
 
-    /// A logarithmic axis over the sizes of the values, down to round-off at least, with a place of its own for exact
-    /// zeros.
+    /// A linear axis from `low` to `high`.
+    pub(super) fn exact(low: f64, high: f64, label: &str) -> Axis {
+        let mut axis = Axis { label: label.into(), ticks: Vec::new(), scale: Scale::Linear { low, high } };
+        axis.ticks = linear_ticks(low, high, 0, &axis);
+        axis
+    }
+
+    /// A logarithmic axis of errors: as [`Axis::decades`], down to round-off at least.
     pub(super) fn log(values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
+        Axis::down_to(ROUND_OFF, values, quantity)
+    }
+
+    /// A logarithmic axis over the sizes of the values, with a place of its own for exact zeros.
+    pub(super) fn decades(values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
+        Axis::down_to(f64::INFINITY, values, quantity)
+    }
+
+    /// Whole decades that hold the sizes of the values and this power of ten.
+    fn down_to(power: f64, values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
         let sizes: Vec<f64> = values.filter(|v| drawable(*v)).map(f64::abs).collect();
         let positive = sizes.iter().copied().filter(|v| *v > 0.0).map(f64::log10);
         let (low, high) = range(positive).unwrap_or((-17.0, -12.0));
         let clamp = |power: f64| power.clamp(DECADES.0.into(), DECADES.1.into());
-        let (low, high) = (clamp(low.floor().min(ROUND_OFF)), clamp(high.ceil()));
+        let (low, high) = (clamp(low.floor().min(power)), clamp(high.ceil()));
         let high = if high > low { high } else { low + 1.0 };
         let strip = if sizes.contains(&0.0) { ZERO_STRIP } else { 0.0 };
         let scale = Scale::Log { low, high, strip };
         let mut axis = Axis { label: quantity.into(), ticks: Vec::new(), scale };
         axis.ticks = log_ticks(low as i32, high as i32, strip > 0.0, &axis);
+        axis
+    }
+
+    /// A logarithmic axis from `low` to `high`, both above zero, with ticks at 1, 2 and 5.
+    pub(super) fn ratio(low: f64, high: f64, label: &str) -> Axis {
+        let scale = Scale::Log { low: low.log10(), high: high.log10(), strip: 0.0 };
+        let mut axis = Axis { label: label.into(), ticks: Vec::new(), scale };
+        let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+        // Over more than two decades the twos and fives would crowd.
+        let within: &[f64] = if last - first > 3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+        let all = (first..=last).flat_map(|p| within.iter().map(move |m| m * 10f64.powi(p)));
+        axis.ticks = all
+            .filter(|v| (low * (1.0 - 1e-9)..=high * (1.0 + 1e-9)).contains(v))
+            .filter_map(|v| Some(Tick { at: axis.place(v)?, text: format!("{v}") }))
+            .collect();
         axis
     }
 
@@ -196,6 +227,14 @@ mod tests {
             assert!(!axis.ticks.is_empty(), "{values:?}");
             assert!(axis.ticks.iter().all(|t| (-0.01..=1.01).contains(&t.at)), "{values:?}");
         }
+    }
+
+    #[test]
+    fn a_ratio_keeps_its_ends() {
+        let axis = Axis::ratio(0.05, 0.9, "share");
+        assert_eq!(texts(&axis), ["0.05", "0.1", "0.2", "0.5"]);
+        assert_eq!((axis.place(0.05), axis.place(0.9)), (Some(0.0), Some(1.0)));
+        assert_eq!(texts(&Axis::ratio(1.0, 1e4, "ratio")), ["1", "10", "100", "1000", "10000"]);
     }
 
     #[test]

@@ -12,8 +12,19 @@ pub trait Writer {
 
 const WRITERS: [&dyn Writer; 5] = [&Html, &Markdown, &Json, &Junit, &Csv];
 
-/// What those writers leave in a folder; anything else there belongs to someone else.
-const OURS: [&str; 5] = ["index.html", "report.md", "report.json", "junit.xml", "csv"];
+/// A kind of folder: what its writers leave in it, where anything else belongs to someone else, and how its
+/// `report.json` begins.
+pub(super) struct Kind {
+    pub ours: &'static [&'static str],
+    pub format: &'static str,
+    pub what: &'static str,
+}
+
+const REPORT: Kind = Kind {
+    ours: &["index.html", "report.md", "report.json", "junit.xml", "csv"],
+    format: json::FORMAT,
+    what: "report",
+};
 
 /// Why a report was not written.
 #[derive(Debug, thiserror::Error)]
@@ -30,12 +41,14 @@ pub enum ReportError {
     #[error("failed to format the report: {0}")]
     Format(#[source] Box<dyn std::error::Error + Send + Sync>),
     /// The place is taken by something that is not an earlier report.
-    #[error("{dir} {why}; name a new folder, or one that holds an earlier report and nothing else")]
+    #[error("{dir} {why}; name a new folder, or one that holds an earlier {what} and nothing else")]
     Taken {
         /// Where the report should have gone.
         dir: PathBuf,
         /// What is in the way.
         why: String,
+        /// What would have been replaced.
+        what: &'static str,
     },
 }
 
@@ -49,22 +62,29 @@ impl ReportError {
 ///
 /// An earlier report of ours is replaced; any other folder that is not empty is refused and left as it is.
 pub fn write_all(report: &Report, dir: &Path) -> Result<(), ReportError> {
+    place(dir, &REPORT, |fresh| WRITERS.iter().try_for_each(|w| w.write(report, fresh)))
+}
+
+/// Lets `write` fill a fresh folder and puts that in the place of `dir`.
+pub(super) fn place(
+    dir: &Path,
+    kind: &Kind,
+    write: impl FnOnce(&Path) -> Result<(), ReportError>,
+) -> Result<(), ReportError> {
     let io = |e| ReportError::io(dir, e);
-    check_target(dir)?;
+    kind.check(dir)?;
     let target = std::path::absolute(dir).map_err(io)?;
     let (Some(parent), Some(_)) = (target.parent(), target.file_name()) else {
-        return Err(ReportError::Taken { dir: dir.into(), why: "has no name of its own".into() });
+        return Err(kind.taken(dir, "has no name of its own".into()));
     };
     fs::create_dir_all(parent).map_err(io)?;
     // A sibling, so that the last step is a rename within one file system; it goes away when dropped.
     let temporary = tempfile::Builder::new().prefix(".granlaw-report-").tempdir_in(parent).map_err(io)?;
     let fresh = temporary.path().join("new");
     fs::create_dir(&fresh).map_err(io)?;
-    for writer in WRITERS {
-        writer.write(report, &fresh)?;
-    }
+    write(&fresh)?;
     // Someone may have put something there while the report was being written.
-    check_target(dir)?;
+    kind.check(dir)?;
     let old = temporary.path().join("old");
     let replaced = target.exists();
     if replaced {
@@ -86,32 +106,46 @@ pub(super) fn save(path: &Path, content: &str) -> Result<(), ReportError> {
 
 /// Says early, before hours of runs, whether [`write_all`] would refuse this folder.
 pub fn check_target(dir: &Path) -> Result<(), ReportError> {
-    let taken = |why: String| Err(ReportError::Taken { dir: dir.into(), why });
-    let entries = match fs::read_dir(dir) {
-        Ok(entries) => entries,
-        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
-        Err(e) if e.kind() == io::ErrorKind::NotADirectory => return taken("is not a folder".into()),
-        Err(e) => return Err(ReportError::io(dir, e)),
-    };
-    if std::path::absolute(dir).is_ok_and(|d| std::env::current_dir().is_ok_and(|here| here.starts_with(d))) {
-        return taken("is the folder you are in".into());
-    }
-    let mut names = Vec::new();
-    for entry in entries {
-        names.push(entry.map_err(|e| ReportError::io(dir, e))?.file_name());
-    }
-    let stranger = names.iter().find(|name| !OURS.iter().any(|ours| name.as_os_str() == *ours));
-    match stranger {
-        _ if names.is_empty() => Ok(()),
-        Some(name) => taken(format!("holds {}, which no report of ours does", name.to_string_lossy())),
-        None if is_report(dir) => Ok(()),
-        None => taken("is no report of ours (it has no report.json that says so)".into()),
-    }
+    REPORT.check(dir)
 }
 
-/// Whether the folder's `report.json` begins as ours do.
-fn is_report(dir: &Path) -> bool {
-    let family = json::FORMAT.trim_end_matches(|c: char| c != '/');
-    fs::read_to_string(dir.join("report.json"))
-        .is_ok_and(|text| text.chars().take(80).collect::<String>().contains(family))
+impl Kind {
+    fn taken(&self, dir: &Path, why: String) -> ReportError {
+        ReportError::Taken { dir: dir.into(), why, what: self.what }
+    }
+
+    /// Whether a folder of this kind may be put there.
+    pub(super) fn check(&self, dir: &Path) -> Result<(), ReportError> {
+        let taken = |why: String| Err(self.taken(dir, why));
+        let entries = match fs::read_dir(dir) {
+            Ok(entries) => entries,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+            Err(e) if e.kind() == io::ErrorKind::NotADirectory => return taken("is not a folder".into()),
+            Err(e) => return Err(ReportError::io(dir, e)),
+        };
+        if std::path::absolute(dir)
+            .is_ok_and(|d| std::env::current_dir().is_ok_and(|here| here.starts_with(d)))
+        {
+            return taken("is the folder you are in".into());
+        }
+        let mut names = Vec::new();
+        for entry in entries {
+            names.push(entry.map_err(|e| ReportError::io(dir, e))?.file_name());
+        }
+        let stranger = names.iter().find(|name| !self.ours.iter().any(|ours| name.as_os_str() == *ours));
+        let what = self.what;
+        match stranger {
+            _ if names.is_empty() => Ok(()),
+            Some(name) => taken(format!("holds {}, which no {what} of ours does", name.to_string_lossy())),
+            None if self.made(dir) => Ok(()),
+            None => taken(format!("is no {what} of ours (it has no report.json that says so)")),
+        }
+    }
+
+    /// Whether the folder's `report.json` begins as ours do.
+    fn made(&self, dir: &Path) -> bool {
+        let family = self.format.trim_end_matches(|c: char| c != '/');
+        fs::read_to_string(dir.join("report.json"))
+            .is_ok_and(|text| text.chars().take(80).collect::<String>().contains(family))
+    }
 }

@@ -1,13 +1,13 @@
 //! `index.html`: one page that needs neither network nor script to be read.
 use super::text::{count, differ, exact, html as esc, rough, seconds};
 use super::{figures, folder, summary, text};
-use super::{Case, Check, Outcome, Parameter, Report, ReportError, Shows, Tolerance, Worst, Writer};
+use super::{About, Case, Check, Outcome, Parameter, Report, ReportError, Shows, Tolerance, Worst, Writer};
 use std::path::Path;
 
 pub(super) struct Html;
 
-const STYLE: &str = include_str!("style.css");
-const SCRIPT: &str = include_str!("sort.js");
+pub(super) const STYLE: &str = include_str!("style.css");
+pub(super) const SCRIPT: &str = include_str!("sort.js");
 
 impl Writer for Html {
     fn write(&self, report: &Report, dir: &Path) -> Result<(), ReportError> {
@@ -32,13 +32,22 @@ fn page(report: &Report) -> String {
         class = class(&verdict),
         sign = verdict.sign(),
         tally = summary::tally(report.cases.iter().flat_map(|c| &c.checks)),
-        about = about(report),
+        about = compared(report),
         left_out = left_out(report),
     )
 }
 
-fn about(report: &Report) -> String {
-    let a = &report.about;
+fn compared(report: &Report) -> String {
+    let meaning = |s: &Shows| format!("<div><dt>{}</dt><dd>{}</dd></div>\n", s.word(), s.meaning());
+    let meanings: String = Shows::ALL.iter().map(meaning).collect();
+    let meanings = format!(
+        "<dl>\n<div><dt>shows</dt><dd>what agreement of a check proves</dd></div>\n{meanings}</dl>\n"
+    );
+    about(&report.about, "What was compared", &meanings)
+}
+
+/// The programs behind a document, with `more` beside them.
+pub(super) fn about(a: &About, title: &str, more: &str) -> String {
     let or = |found: &Option<String>| found.clone().unwrap_or_else(|| "not found".into());
     let facts = [
         ("granlaw", a.granlaw.clone()),
@@ -51,12 +60,8 @@ fn about(report: &Report) -> String {
         facts.iter().map(|(k, v)| format!("<div><dt>{k}</dt><dd>{}</dd></div>\n", esc(v))).collect();
     let notes: String = a.notes.iter().map(|note| format!("<li>{}</li>\n", esc(note))).collect();
     let notes = if notes.is_empty() { notes } else { format!("<h2>Notes</h2>\n<ul>\n{notes}</ul>\n") };
-    let meaning = |s: &Shows| format!("<div><dt>{}</dt><dd>{}</dd></div>\n", s.word(), s.meaning());
-    let meanings: String = Shows::ALL.iter().map(meaning).collect();
     format!(
-        "<section>\n<h2>What was compared</h2>\n<div class=\"about\">\n<dl>\n{facts}</dl>\n\
-         <dl>\n<div><dt>shows</dt><dd>what agreement of a check proves</dd></div>\n{meanings}</dl>\n</div>\n\
-         {notes}</section>\n"
+        "<section>\n<h2>{title}</h2>\n<div class=\"about\">\n<dl>\n{facts}</dl>\n{more}</div>\n{notes}</section>\n"
     )
 }
 
@@ -137,17 +142,18 @@ fn section(case: &Case, id: &str) -> String {
         },
         calls = count(case.calls),
         time = seconds(case.seconds),
-        checks = checks(case, &verdict),
+        checks = match case.checks.is_empty() {
+            true => format!("<p class=\"why\">{}</p>\n", esc(verdict.why().unwrap_or_default())),
+            false => checks(&case.checks),
+        },
         log = log(case, &verdict),
         parameters = parameters(&case.parameters),
     )
 }
 
-fn checks(case: &Case, verdict: &Outcome) -> String {
-    if case.checks.is_empty() {
-        return format!("<p class=\"why\">{}</p>\n", esc(verdict.why().unwrap_or_default()));
-    }
-    let rows: String = case.checks.iter().map(check).collect();
+/// A table of checks.
+pub(super) fn checks(checks: &[Check]) -> String {
+    let rows: String = checks.iter().map(check).collect();
     format!(
         "<table class=\"checks\">\n<thead><tr><th>check</th><th>outcome</th><th>worst at</th><th>got, expected</th>\
          <th>error</th><th>limit</th></tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n"
@@ -248,7 +254,8 @@ fn badge(outcome: &Outcome) -> String {
     format!("<span class=\"badge {}\">{} {}</span>", class(outcome), outcome.sign(), outcome.word())
 }
 
-fn class(outcome: &Outcome) -> &'static str {
+/// The style of an outcome.
+pub(super) fn class(outcome: &Outcome) -> &'static str {
     match outcome {
         Outcome::Agreed => "good",
         Outcome::Disagreed(_) => "bad",

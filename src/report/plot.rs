@@ -1,15 +1,11 @@
 //! Plots as inline SVG. Drawn by hand, because colours must come from the page's style sheet to follow light, dark
 //! and print, which the plotting crates' back ends do not do.
 use super::axis::Axis;
+use super::frame::Frame;
 use super::text::html as esc;
 use std::collections::BTreeSet;
 
-const WIDTH: f64 = 480.0;
-const HEIGHT: f64 = 280.0;
-const LEFT: f64 = 60.0;
-const RIGHT: f64 = 14.0;
-const TOP: f64 = 28.0;
-const BOTTOM: f64 = 44.0;
+const FRAME: Frame = Frame { width: 480.0, height: 280.0, left: 60.0, right: 14.0, top: 28.0, bottom: 44.0 };
 /// Points are given in whole tenths of a unit: short text, finer than any screen.
 const FINE: f64 = 10.0;
 /// Curves above this many points are thinned.
@@ -46,10 +42,12 @@ impl Plot<'_> {
         }
         let lines: String = self.series.iter().zip(&drawn).map(|(s, spots)| self.line(s, spots)).collect();
         format!(
-            "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{}\">{}{}\
+            "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}{}\
              <g transform=\"scale({})\">{lines}</g>{}</svg>",
+            FRAME.width,
+            FRAME.height,
             esc(self.title),
-            self.frame(),
+            FRAME.axes(&self.x, &self.y, true),
             self.limits(),
             1.0 / FINE,
             self.legend(),
@@ -64,7 +62,7 @@ impl Plot<'_> {
     }
 
     fn spot(&self, point: &(f64, f64)) -> Spot {
-        let (x, y) = (across(self.x.place(point.0)?), up(self.y.place(point.1)?));
+        let (x, y) = (FRAME.across(self.x.place(point.0)?), FRAME.up(self.y.place(point.1)?));
         Some(((FINE * x).round() as i32, (FINE * y).round() as i32))
     }
 
@@ -82,45 +80,21 @@ impl Plot<'_> {
         )
     }
 
-    fn frame(&self) -> String {
-        let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
-        let mut out = String::new();
-        for tick in &self.x.ticks {
-            let (x, text) = (across(tick.at), &tick.text);
-            out += &format!("<path class=\"grid\" d=\"M{x:.1} {TOP}V{bottom}\"/>");
-            out += &format!("<text class=\"x\" x=\"{x:.1}\" y=\"{}\">{text}</text>", bottom + 15.0);
-        }
-        for tick in &self.y.ticks {
-            let (y, text) = (up(tick.at), &tick.text);
-            out += &format!("<path class=\"grid\" d=\"M{LEFT} {y:.1}H{right}\"/>");
-            out += &format!("<text class=\"y\" x=\"{}\" y=\"{:.1}\">{text}</text>", LEFT - 6.0, y + 4.0);
-        }
-        if let Some(y) = self.y.origin().map(up) {
-            out += &format!("<path class=\"axis\" d=\"M{LEFT} {y:.1}H{right}\"/>");
-        }
-        out += &format!("<path class=\"axis\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>");
-        let middle = (LEFT + right) / 2.0;
-        out +=
-            &format!("<text class=\"x\" x=\"{middle}\" y=\"{}\">{}</text>", HEIGHT - 8.0, esc(&self.x.label));
-        let (label, middle) = (esc(&self.y.label), (TOP + bottom) / 2.0);
-        out + &format!("<text class=\"x\" transform=\"translate(13 {middle}) rotate(-90)\">{label}</text>")
-    }
-
     fn limits(&self) -> String {
-        let right = WIDTH - RIGHT;
+        let (left, right) = (FRAME.left, FRAME.width - FRAME.right);
         let draw = |(answer, limit): &(&str, f64)| {
-            let (y, class) = (up(self.y.place(*limit)?), class(answer));
-            let line = format!("<path class=\"limit {class}\" d=\"M{LEFT} {y:.1}H{right}\"/>");
+            let (y, class) = (FRAME.up(self.y.place(*limit)?), class(answer));
+            let line = format!("<path class=\"limit {class}\" d=\"M{left} {y:.1}H{right}\"/>");
             let text = format!("limit of {}", esc(answer));
             // Above its line, where errors of zero do not lie; below it only at the upper edge.
-            let at = if y - 14.0 < TOP { y + 12.0 } else { y - 4.0 };
+            let at = if y - 14.0 < FRAME.top { y + 12.0 } else { y - 4.0 };
             Some(format!("{line}<text class=\"note\" x=\"{}\" y=\"{at:.1}\">{text}</text>", right - 4.0))
         };
         self.limits.iter().filter_map(draw).collect()
     }
 
     fn legend(&self) -> String {
-        let mut x = LEFT;
+        let mut x = FRAME.left;
         let mut out = String::new();
         for series in &self.series {
             let class = class(series.answer);
@@ -136,14 +110,6 @@ impl Plot<'_> {
         }
         out
     }
-}
-
-fn across(fraction: f64) -> f64 {
-    LEFT + fraction * (WIDTH - RIGHT - LEFT)
-}
-
-fn up(fraction: f64) -> f64 {
-    HEIGHT - BOTTOM - fraction * (HEIGHT - BOTTOM - TOP)
 }
 
 /// The style of an answer. Stock lies widest and palest below, so that lines on top of it stay visible.

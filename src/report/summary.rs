@@ -127,7 +127,8 @@ pub(super) fn ids(report: &Report) -> Vec<String> {
     report.cases.iter().map(&mut id).collect()
 }
 
-fn safe(name: &str) -> String {
+/// A text that may name a file.
+pub(super) fn safe(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '_' };
     // File names may hold 255 bytes, extension and number included.
     let name: String = name.chars().take(120).map(plain).collect();

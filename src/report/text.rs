@@ -56,6 +56,16 @@ pub(super) fn rough(value: f64) -> String {
     }
 }
 
+/// A number to three digits as people write it, with an exponent only where there is no other way.
+pub(super) fn plain(value: f64) -> String {
+    let size = value.abs();
+    if !(1e-2..1e5).contains(&size) {
+        return rough(value);
+    }
+    let decimals = (2.0 - size.log10().floor()).max(0.0) as usize;
+    format!("{value:.decimals$}")
+}
+
 /// A wall-clock time.
 pub(super) fn seconds(value: f64) -> String {
     match value {
@@ -117,6 +127,15 @@ mod tests {
         }
         assert_eq!(count(1234567), "1\u{202f}234\u{202f}567");
         assert_eq!(count(12), "12");
+    }
+
+    #[test]
+    fn plain_numbers_have_three_digits() {
+        for (value, text) in
+            [(0.0, "0"), (0.0123, "0.0123"), (1.0, "1.00"), (25.37, "25.4"), (2613.2, "2613"), (4e-7, "4e-7")]
+        {
+            assert_eq!(plain(value), text);
+        }
     }
 
     #[test]

@@ -1,0 +1,219 @@
+//! A document of sections with text, tables, charts and maps: what the studies return. It knows no physics.
+//!
+//! [`write_page`] makes the folder: `index.html` for people, `figures/*.svg`, `csv/*.csv` with the numbers of every table,
+//! chart and map, and `report.json` for programs.
+mod chart;
+mod files;
+mod heat;
+mod html;
+
+pub use files::{check_page_target, write_page};
+
+use super::{json, About, Check};
+use serde::Serialize;
+
+/// A document.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Page {
+    /// The command that made it, for instance `granlaw speed`.
+    pub program: String,
+    /// The result in one sentence.
+    pub headline: String,
+    /// The programs behind it.
+    pub about: About,
+    /// What was held against a limit.
+    pub checks: Vec<Check>,
+    /// The rest, in order.
+    pub sections: Vec<Section>,
+}
+
+/// A part with a heading.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Section {
+    /// The heading.
+    pub title: String,
+    /// Paragraphs above the items.
+    pub text: Vec<String>,
+    /// Tables, charts and maps.
+    pub items: Vec<Item>,
+}
+
+/// What a section shows.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Item {
+    /// Rows and columns.
+    Table(Table),
+    /// Curves on logarithmic axes.
+    Chart(Chart),
+    /// A field of outcomes.
+    Map(Map),
+}
+
+/// Rows and columns.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Table {
+    /// Names its CSV file; unique in the page.
+    pub name: String,
+    /// One line for people.
+    pub caption: String,
+    /// The heads, with units.
+    pub columns: Vec<String>,
+    /// As many cells as columns each.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// A cell of a table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Cell {
+    /// Words.
+    Text(String),
+    /// A number, shown to three digits.
+    Number(#[serde(serialize_with = "json::number")] f64),
+    /// A whole number.
+    Count(u64),
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Cell {
+        Cell::Text(text.into())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Cell {
+        Cell::Text(text)
+    }
+}
+
+impl From<f64> for Cell {
+    fn from(number: f64) -> Cell {
+        Cell::Number(number)
+    }
+}
+
+impl From<u64> for Cell {
+    fn from(count: u64) -> Cell {
+        Cell::Count(count)
+    }
+}
+
+/// Curves on two logarithmic axes, with error bars.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Chart {
+    /// Names its files; unique in the page.
+    pub name: String,
+    /// One line for people.
+    pub caption: String,
+    /// What goes across, with its unit.
+    pub x: String,
+    /// What goes up, with its unit.
+    pub y: String,
+    /// The curves, in the order of the legend.
+    pub trends: Vec<Trend>,
+}
+
+/// A curve.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Trend {
+    /// What it shows.
+    pub name: String,
+    /// What the legend adds, for instance an order.
+    pub note: String,
+    /// Whether its points are joined.
+    pub joined: bool,
+    /// The points.
+    pub marks: Vec<Mark>,
+}
+
+/// A point with its spread.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Mark {
+    /// What it is, for instance a number of steps.
+    pub label: String,
+    /// Across, with its range.
+    pub x: Spread,
+    /// Up, with its range.
+    pub y: Spread,
+    /// Whether nothing is better in both; drawn with a ring.
+    pub front: bool,
+}
+
+/// A number and the range that it was found in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Spread {
+    /// The number.
+    #[serde(serialize_with = "json::number")]
+    pub at: f64,
+    /// Lower end.
+    #[serde(serialize_with = "json::number")]
+    pub low: f64,
+    /// Upper end.
+    #[serde(serialize_with = "json::number")]
+    pub high: f64,
+}
+
+impl Spread {
+    /// A number without spread.
+    pub fn exact(at: f64) -> Spread {
+        Spread { at, low: at, high: at }
+    }
+}
+
+/// A field of outcomes over two quantities, with borders and points of comparison.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Map {
+    /// Names its files; unique in the page.
+    pub name: String,
+    /// One line for people.
+    pub caption: String,
+    /// Across.
+    pub x: Scale,
+    /// Up.
+    pub y: Scale,
+    /// The outcomes, from good to bad.
+    pub classes: Vec<String>,
+    /// The outcome of each cell, an index into `classes`, row by row from the first `y`.
+    pub cells: Vec<usize>,
+    /// Numbers behind the cells, by name, in the same order; for the CSV file.
+    pub values: Vec<(String, Vec<f64>)>,
+    /// Lines across the field.
+    pub borders: Vec<Border>,
+    /// Points that something else was asked about.
+    pub spots: Vec<Spot>,
+}
+
+/// One side of a map: the middles of its cells, evenly spaced, at least two.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Scale {
+    /// The quantity with its unit.
+    pub label: String,
+    /// The middles.
+    #[serde(serialize_with = "json::numbers")]
+    pub values: Vec<f64>,
+    /// Whether they are evenly spaced in their logarithm.
+    pub log: bool,
+}
+
+/// A line on a map.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Border {
+    /// What it separates, or where it comes from.
+    pub name: String,
+    /// Where it runs; parts outside the map are not drawn.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A point on a map.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Spot {
+    /// Across.
+    pub x: f64,
+    /// Up.
+    pub y: f64,
+    /// Whether the other answer was the same.
+    pub agrees: bool,
+    /// What was found, for people.
+    pub label: String,
+}
