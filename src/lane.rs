@@ -35,10 +35,8 @@ pub trait Lane:
     fn splat(x: f64) -> Self;
     /// A number for each lane.
     fn from_fn(number: impl Fn(usize) -> f64) -> Self;
-    /// The number in lane `k`, which must be below [`Lane::WIDTH`].
-    fn lane(self, k: usize) -> f64;
-    /// The numbers of all lanes.
-    fn numbers(&self) -> &[f64];
+    /// The number in lane `k`, which must be below [`Lane::WIDTH`], read where it lies.
+    fn lane(&self, k: usize) -> f64;
     /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
     /// Magnitude.
@@ -65,12 +63,8 @@ impl Lane for f64 {
         number(0)
     }
     #[inline(always)]
-    fn lane(self, _: usize) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn numbers(&self) -> &[f64] {
-        std::slice::from_ref(self)
+    fn lane(&self, _: usize) -> f64 {
+        *self
     }
     #[inline(always)]
     fn sqrt(self) -> f64 {
@@ -251,12 +245,8 @@ impl<const N: usize> Lane for Pack<N> {
         Pack(std::array::from_fn(number))
     }
     #[inline(always)]
-    fn lane(self, k: usize) -> f64 {
+    fn lane(&self, k: usize) -> f64 {
         self.0[k]
-    }
-    #[inline(always)]
-    fn numbers(&self) -> &[f64] {
-        &self.0
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

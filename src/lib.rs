@@ -20,5 +20,6 @@ pub mod pair;
 pub mod probe;
 pub mod replay;
 pub mod report;
+pub mod study;
 pub mod trace;
 pub mod verify;

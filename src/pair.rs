@@ -72,6 +72,14 @@ pub struct State {
 
 /// Follow two bodies; `each` sees the set-up evaluation and every step.
 pub fn run(chain: &mut Chain, start: &Start, mut each: impl FnMut(&State)) {
+    run_while(chain, start, |s| {
+        each(s);
+        true
+    });
+}
+
+/// Follow two bodies as long as `each` says so.
+pub fn run_while(chain: &mut Chain, start: &Start, mut each: impl FnMut(&State) -> bool) {
     let mut s = State {
         step: start.first,
         bodies: start.bodies,
@@ -81,8 +89,8 @@ pub fn run(chain: &mut Chain, start: &Start, mut each: impl FnMut(&State)) {
         history: vec![0.0; chain.row()],
     };
     evaluate(chain, start, &mut s, false);
-    each(&s);
-    for _ in 0..start.steps {
+    let mut go_on = each(&s);
+    while go_on && s.step < start.first + start.steps as i64 {
         s.step += 1;
         kick(start, &mut s);
         for body in moving(start, &mut s.bodies) {
@@ -90,7 +98,7 @@ pub fn run(chain: &mut Chain, start: &Start, mut each: impl FnMut(&State)) {
         }
         evaluate(chain, start, &mut s, true);
         kick(start, &mut s);
-        each(&s);
+        go_on = each(&s);
     }
 }
 
@@ -101,7 +109,7 @@ pub fn states(chain: &mut Chain, start: &Start) -> Vec<State> {
     all
 }
 
-fn moving<'a>(start: &Start, bodies: &'a mut [Body; 2]) -> impl Iterator<Item = &'a mut Body> {
+pub(crate) fn moving<'a>(start: &Start, bodies: &'a mut [Body; 2]) -> impl Iterator<Item = &'a mut Body> {
     let n = if start.partner == Partner::Free { 2 } else { 1 };
     bodies.iter_mut().take(n)
 }
@@ -135,7 +143,7 @@ fn evaluate(chain: &mut Chain, start: &Start, s: &mut State, update: bool) {
 }
 
 /// How the bodies lie to each other, and the overlap with a plane \[m\].
-fn approach(start: &Start, bodies: &[Body; 2], call: Call) -> (Gap, f64) {
+pub(crate) fn approach(start: &Start, bodies: &[Body; 2], call: Call) -> (Gap, f64) {
     let [i, mut j] = *bodies;
     if let Partner::Plane { point, normal } = start.partner {
         let distance = normal.dot(&(i.x - point));

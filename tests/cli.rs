@@ -17,5 +17,7 @@ mod replay;
 mod run;
 #[path = "cli/stop.rs"]
 mod stop;
+#[path = "cli/study.rs"]
+mod study;
 #[path = "cli/verify.rs"]
 mod verify;

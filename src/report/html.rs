@@ -151,8 +151,7 @@ fn section(case: &Case, id: &str) -> String {
     )
 }
 
-/// A table of checks.
-pub(super) fn checks(checks: &[Check]) -> String {
+fn checks(checks: &[Check]) -> String {
     let rows: String = checks.iter().map(check).collect();
     format!(
         "<table class=\"checks\">\n<thead><tr><th>check</th><th>outcome</th><th>worst at</th><th>got, expected</th>\
@@ -191,11 +190,13 @@ fn values(worst: &Worst) -> String {
     format!("<code>{same}{}<br>{same}{}</code>", mark(got), mark(expected))
 }
 
-fn error(worst: &Worst) -> String {
+/// The error of a check and what it is relative to.
+pub(super) fn error(worst: &Worst) -> String {
     format!("{}<br><small>{}</small>", rough(worst.error), esc(&worst.norm))
 }
 
-fn limit(tolerance: &Tolerance) -> String {
+/// The limit of a check and its reason.
+pub(super) fn limit(tolerance: &Tolerance) -> String {
     format!("{}<br><small>{}</small>", rough(tolerance.limit), esc(&tolerance.reason))
 }
 
@@ -250,7 +251,8 @@ fn matrix(p: &Parameter) -> String {
     format!("<table class=\"matrix\"><tr>{corner}{head}</tr>{rows}</table>")
 }
 
-fn badge(outcome: &Outcome) -> String {
+/// An outcome as a coloured word.
+pub(super) fn badge(outcome: &Outcome) -> String {
     format!("<span class=\"badge {}\">{} {}</span>", class(outcome), outcome.sign(), outcome.word())
 }
 

@@ -1,6 +1,6 @@
 //! Documents of studies: what their files say.
 use granlaw::report::page::*;
-use granlaw::report::{Check, Outcome, ReportError, Shows};
+use granlaw::report::{Check, Outcome, ReportError, Shows, Worst};
 use std::fs;
 
 fn mark(x: f64, y: f64, front: bool) -> Mark {
@@ -18,7 +18,13 @@ fn page() -> Page {
             vec!["c".into(), 4e-7.into(), 5u64.into()],
         ],
     };
-    let trend = |name: &str, marks| Trend { name: name.into(), note: "order 2".into(), joined: true, marks };
+    let trend = |name: &str, marks| Trend {
+        name: name.into(),
+        note: "order 2".into(),
+        joined: true,
+        look: None,
+        marks,
+    };
     let chart = Chart {
         name: "errors".into(),
         caption: "Error over cost".into(),
@@ -46,11 +52,27 @@ fn page() -> Page {
             Spot { x: 1.0, y: 1.0, agrees: false, label: "not as here".into() },
         ],
     };
+    let worst = Worst {
+        step: 0,
+        what: "somewhere".into(),
+        got: 2.0,
+        expected: 1.0,
+        error: 1.0,
+        norm: "relative".into(),
+    };
+    let check = Check {
+        name: "orders".into(),
+        shows: Shows::Physics,
+        outcome: Outcome::Agreed,
+        tolerance: None,
+        worst: Some(worst),
+    };
     let items = vec![Item::Table(table), Item::Chart(chart), Item::Map(map)];
     let section = Section { title: "All & more".into(), text: vec!["Words.".into()], items };
     Page {
         program: "granlaw test".into(),
         headline: "a > b".into(),
+        checks: vec![check],
         sections: vec![section],
         ..Page::default()
     }
@@ -103,6 +125,9 @@ fn the_page_says_all_of_it_and_escapes_it() {
     assert!(html.contains("<title>granlaw: a &gt; b</title>") && html.contains("<h2>All &amp; more</h2>"));
     assert!(html.contains("data-sort=\"0.0123\">0.0123</td>"), "{html}");
     assert!(html.contains("a &lt;b&gt;") && !html.contains("a <b>"));
+    assert!(
+        html.contains("<td data-label=\"furthest off\"><div>somewhere<br><small>2.00 against 1.00</small>")
+    );
     assert_eq!(html.matches("<svg ").count(), 2);
     let json: serde_json::Value = serde_json::from_str(&read(&place, "report.json")).unwrap();
     assert_eq!(json["format"], "granlaw-study/1");

@@ -214,7 +214,7 @@ impl<L: Unit> Chunk<L> {
 /// The vector of one lane, read where it lies.
 #[inline(always)]
 fn one<L: Lane>(v: &Vector3<L>, lane: usize) -> [f64; 3] {
-    [v.x.numbers()[lane], v.y.numbers()[lane], v.z.numbers()[lane]]
+    [v.x.lane(lane), v.y.lane(lane), v.z.lane(lane)]
 }
 
 #[inline(always)]

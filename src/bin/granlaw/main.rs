@@ -6,6 +6,8 @@ use std::process::ExitCode;
 mod laws;
 mod replay;
 mod run;
+mod speed;
+mod stability;
 mod verify;
 
 /// Contact laws for LIGGGHTS, and the proof that they are right.
@@ -28,6 +30,8 @@ enum Command {
     Run(run::Args),
     Replay(replay::Args),
     Verify(verify::Args),
+    Speed(speed::Args),
+    Stability(stability::Args),
 }
 
 fn main() -> ExitCode {
@@ -36,6 +40,8 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Replay(args) => replay::run(&args),
         Command::Verify(args) => verify::run(&args),
+        Command::Speed(args) => speed::run(&args),
+        Command::Stability(args) => stability::run(&args),
     };
     done.unwrap_or_else(|error| {
         eprintln!("granlaw: {}", told(&error));

@@ -16,7 +16,8 @@ pub(super) fn svg(chart: &Chart) -> String {
     let place = |m: &Mark| Some((FRAME.across(x.place(m.x.at)?), FRAME.up(y.place(m.y.at)?)));
     let mut out = FRAME.axes(&x, &y, true);
     out += &front(chart, &place);
-    for (k, trend) in chart.trends.iter().enumerate() {
+    for (place_in_legend, trend) in chart.trends.iter().enumerate() {
+        let k = trend.look.unwrap_or(place_in_legend);
         out += &format!("<g class=\"c{}\">", k % COLOURS);
         out += &line(trend, &place);
         for mark in &trend.marks {
@@ -33,7 +34,7 @@ pub(super) fn svg(chart: &Chart) -> String {
                 shape(k, px, py)
             );
         }
-        out += &legend(k, trend);
+        out += &legend(place_in_legend, k, trend);
         out += "</g>";
     }
     let Frame { width, height, .. } = FRAME;
@@ -80,8 +81,8 @@ fn bars(mark: &Mark, x: &Axis, y: &Axis, (px, py): (f64, f64)) -> String {
     format!("<path class=\"bar\" d=\"{d}\"/>")
 }
 
-fn legend(k: usize, trend: &Trend) -> String {
-    let (x, y) = (FRAME.width - FRAME.right + 18.0, FRAME.top + 12.0 + 34.0 * k as f64);
+fn legend(row: usize, k: usize, trend: &Trend) -> String {
+    let (x, y) = (FRAME.width - FRAME.right + 18.0, FRAME.top + 12.0 + 34.0 * row as f64);
     let line =
         if trend.joined { format!("<path class=\"trend\" d=\"M{x} {y}h24\"/>") } else { String::new() };
     format!(

@@ -108,7 +108,7 @@ fn legend(map: &Map) -> String {
     let x = FRAME.width - FRAME.right + 18.0;
     let mut y = FRAME.top + 6.0;
     let mut out = String::new();
-    for (k, class) in map.classes.iter().enumerate() {
+    for (k, class) in map.classes.iter().enumerate().filter(|(k, _)| map.cells.contains(k)) {
         out += &format!("<path class=\"cell t{}\" d=\"M{x} {y}h22v12h-22z\"/>", tone(map, k));
         out += &format!("<text x=\"{}\" y=\"{}\">{}</text>", x + 30.0, y + 10.0, esc(class));
         y += 20.0;

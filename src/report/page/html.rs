@@ -1,9 +1,9 @@
 //! `index.html` of a page: it needs neither network nor script to be read.
 use super::{chart, heat, Cell, Item, Page, Section, Table};
-use crate::report::html::{about, checks, class, SCRIPT, STYLE};
+use crate::report::html::{about, badge, class, error, limit, SCRIPT, STYLE};
 use crate::report::summary;
 use crate::report::text::{count, html as esc, plain};
-use crate::report::Outcome;
+use crate::report::{Check, Outcome, Worst};
 
 pub(super) fn page(page: &Page) -> String {
     let headline = esc(&page.headline);
@@ -50,6 +50,32 @@ impl Page {
             Outcome::Agreed | Outcome::Skipped(_) => 0,
         }
     }
+}
+
+/// As in a report of decks, but for the steps: what a study checks is a number of many runs.
+fn checks(checks: &[Check]) -> String {
+    let rows: String = checks.iter().map(check).collect();
+    format!(
+        "<table class=\"checks\">\n<thead><tr><th>check</th><th>outcome</th><th>furthest off</th><th>error</th>\
+         <th>limit</th></tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n"
+    )
+}
+
+fn check(check: &Check) -> String {
+    let why = check.outcome.why().map(|why| format!("<br><small>{}</small>", esc(why))).unwrap_or_default();
+    let found = |w: &Worst| {
+        let numbers = format!("{} against {}", plain(w.got), plain(w.expected));
+        format!("{}<br><small>{numbers}</small>", esc(&w.what))
+    };
+    let cells = [
+        ("check", format!("<b>{}</b><br><small>shows {}</small>", esc(&check.name), check.shows.word())),
+        ("outcome", badge(&check.outcome) + &why),
+        ("furthest off", check.worst.as_ref().map(found).unwrap_or_default()),
+        ("error", check.worst.as_ref().map(error).unwrap_or_default()),
+        ("limit", check.tolerance.as_ref().map(limit).unwrap_or_default()),
+    ];
+    let cell = |(name, text): &(&str, String)| format!("<td data-label=\"{name}\"><div>{text}</div></td>");
+    format!("<tr>{}</tr>\n", cells.iter().map(cell).collect::<String>())
 }
 
 fn section(section: &Section) -> String {

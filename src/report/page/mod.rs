@@ -123,6 +123,8 @@ pub struct Trend {
     pub note: String,
     /// Whether its points are joined.
     pub joined: bool,
+    /// Colour and mark by number, where curves of one kind should look alike in several charts; else by its place.
+    pub look: Option<usize>,
     /// The points.
     pub marks: Vec<Mark>,
 }
@@ -172,7 +174,7 @@ pub struct Map {
     pub x: Scale,
     /// Up.
     pub y: Scale,
-    /// The outcomes, from good to bad.
+    /// The outcomes, from good to bad; those that occur are in the legend.
     pub classes: Vec<String>,
     /// The outcome of each cell, an index into `classes`, row by row from the first `y`.
     pub cells: Vec<usize>,

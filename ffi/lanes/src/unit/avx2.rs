@@ -30,6 +30,14 @@ impl Unit for Avx2 {
     }
 }
 
+impl Avx2 {
+    #[inline(always)]
+    fn numbers(&self) -> &[f64; 4] {
+        // SAFETY: a register is its four numbers, side by side.
+        unsafe { &*std::ptr::from_ref(&self.0).cast() }
+    }
+}
+
 impl PartialEq for Avx2 {
     fn eq(&self, o: &Self) -> bool {
         self.numbers() == o.numbers()
@@ -88,13 +96,8 @@ impl Lane for Avx2 {
         unsafe { Avx2(_mm256_setr_pd(a, b, c, d)) }
     }
     #[inline(always)]
-    fn lane(self, k: usize) -> f64 {
+    fn lane(&self, k: usize) -> f64 {
         self.numbers()[k]
-    }
-    #[inline(always)]
-    fn numbers(&self) -> &[f64] {
-        // SAFETY: a register is its four numbers, side by side.
-        unsafe { &*std::ptr::from_ref(&self.0).cast::<[f64; 4]>() }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -26,6 +26,14 @@ impl Unit for Avx512 {
     }
 }
 
+impl Avx512 {
+    #[inline(always)]
+    fn numbers(&self) -> &[f64; 8] {
+        // SAFETY: a register is its eight numbers, side by side.
+        unsafe { &*std::ptr::from_ref(&self.0).cast() }
+    }
+}
+
 impl PartialEq for Avx512 {
     fn eq(&self, o: &Self) -> bool {
         self.numbers() == o.numbers()
@@ -62,13 +70,8 @@ impl Lane for Avx512 {
         unsafe { Avx512(_mm512_setr_pd(a, b, c, d, e, f, g, h)) }
     }
     #[inline(always)]
-    fn lane(self, k: usize) -> f64 {
+    fn lane(&self, k: usize) -> f64 {
         self.numbers()[k]
-    }
-    #[inline(always)]
-    fn numbers(&self) -> &[f64] {
-        // SAFETY: a register is its eight numbers, side by side.
-        unsafe { &*std::ptr::from_ref(&self.0).cast::<[f64; 8]>() }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -1,0 +1,65 @@
+//! Orders that the methods claim.
+use super::cases::Case;
+use super::methods::Method;
+
+/// By which power of the step the error of a method falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Claim {
+    /// The case.
+    pub case: &'static str,
+    /// The method.
+    pub method: Method,
+    /// The order.
+    pub order: f64,
+    /// From how many steps per contact on it shows.
+    pub from: f64,
+}
+
+/// How far an observed order may be from the one claimed.
+pub const WITHIN: f64 = 0.2;
+
+/// All claims. Where a law's own jumps or the phases of its kinks decide, none is made.
+pub fn claims() -> Vec<Claim> {
+    let mut all = Vec::new();
+    let mut claim = |case, method, order, from| all.push(Claim { case, method, order, from });
+    let schemes = [(Method::Verlet, Method::VerletTimed), (Method::Stock, Method::PluginTimed)];
+    for (plain, timed) in schemes {
+        claim("undamped", plain, 2.0, 25.0);
+        claim("undamped", timed, 4.0, 12.0);
+        for case in ["damped-0.5", "damped-0.5-wall", "hertz-0.5"] {
+            claim(case, plain, 1.0, 100.0);
+            claim(case, timed, 2.0, 100.0);
+        }
+        claim("damped-0.9", plain, 1.0, 100.0);
+        // Two thirds of the error at 100 steps are of third order.
+        claim("damped-0.9", timed, 2.0, 400.0);
+        // Slip begins within the first steps of coarser ones.
+        claim("slip", timed, 2.0, 1600.0);
+        claim("stick-slip-td-off", plain, 1.0, 100.0);
+        claim("stick-slip-td-off", timed, 2.0, 100.0);
+    }
+    for case in ["damped-0.9", "damped-0.5", "damped-0.5-wall"] {
+        claim(case, Method::Located, 2.0, 100.0);
+    }
+    all
+}
+
+impl Claim {
+    /// Whether an observed order is as claimed, and if not what to say.
+    ///
+    /// # Errors
+    /// If it is not.
+    pub fn check(&self, observed: Option<f64>) -> Result<f64, String> {
+        let Claim { case, method, order, .. } = *self;
+        match observed {
+            None => Err(format!("{case}, {}: too few points to see an order", method.name())),
+            Some(o) if (o - order).abs() <= WITHIN => Ok(o),
+            Some(o) => Err(format!("{case}, {}: order {o:.2} where {order} is claimed", method.name())),
+        }
+    }
+
+    /// The claim about a case and a method.
+    pub fn of(case: &Case, method: Method) -> Option<Claim> {
+        claims().into_iter().find(|c| c.case == case.name && c.method == method)
+    }
+}

@@ -1,0 +1,136 @@
+//! What a case is held against: a closed form where there is one, a converged solution elsewhere.
+use super::cases::{Case, Measure};
+use crate::law::{Call, Contact, Gap, Kind, Surface};
+use crate::pair::run;
+use crate::study::adaptive::{impact, Aim};
+use crate::study::matter::Matter;
+use crate::study::shot::{Outcome, Shot};
+use std::f64::consts::PI;
+
+/// The answer, and how wrong it may be itself.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// The converged solution, with its force history.
+    pub outcome: Outcome,
+    /// The measured quantity.
+    pub value: f64,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// Its own relative error: of a closed form, what separates the converged solution from it; else what separates that
+    /// from one with ten times the tolerance.
+    pub error: f64,
+}
+
+/// Relative tolerance per step of the converged solutions: beyond it, round-off of the extrapolation weights grows.
+const TOLERANCE: f64 = 1e-11;
+/// Steps per period of the normal spring of the converged rolling.
+const FINE: f64 = 20_000.0;
+
+impl Truth {
+    /// Of a case.
+    ///
+    /// # Panics
+    /// If the laws refuse the case, which is a bug of it.
+    pub fn of(case: &Case) -> Truth {
+        if let Measure::Distance = case.measure {
+            return rolled(case);
+        }
+        let solve = |tolerance, duration, longest, with_force| {
+            let mut chain = case.matter.chain().expect("a sound case");
+            impact(&mut chain, &case.shot, &Aim { tolerance, duration, longest, with_force }).0
+        };
+        let duration = solve(1e-4, period(case), 0.1, false).duration;
+        let (fine, other) =
+            (solve(TOLERANCE, duration, 0.01, false), solve(10.0 * TOLERANCE, duration, 0.02, false));
+        // Short steps, so that forces in between can be read off straight lines.
+        let dense = solve(1e-9, duration, 1.0 / 4000.0, true);
+        let outcome = Outcome { force: dense.force, peak: dense.peak, ..fine.clone() };
+        let measured = case.measure.of(&fine);
+        match closed_form(case) {
+            Some(value) => {
+                let error = ((measured - value) / value).abs();
+                Truth { outcome, value, source: "closed form", error }
+            }
+            None => {
+                let error = ((measured - case.measure.of(&other)) / measured).abs();
+                Truth { outcome, value: measured, source: "converged solution", error }
+            }
+        }
+    }
+
+    /// Normal force \[N\] at a time since first touch \[s\].
+    pub fn force(&self, time: f64) -> f64 {
+        let f = &self.outcome.force;
+        let k = f.partition_point(|(t, _)| *t <= time);
+        if k == 0 || k == f.len() || time > self.outcome.duration {
+            return 0.0;
+        }
+        let ((t0, f0), (t1, f1)) = (f[k - 1], f[k]);
+        f0 + (f1 - f0) * (time - t0) / (t1 - t0)
+    }
+}
+
+/// Rolling to rest: LIGGGHTS's scheme in fine steps.
+fn rolled(case: &Case) -> Truth {
+    let roll = |n: f64| {
+        let mut chain = case.matter.clone().timed().chain().expect("a sound case");
+        let dt = period(case) / n;
+        let time = case.shot.rest.map_or(0.0, |r| r.time);
+        let start = case.shot.start(dt, 0.0, (time / dt) as u64);
+        let mut last = start.bodies;
+        run(&mut chain, &start, |s| last = s.bodies);
+        case.shot.judge(&last)
+    };
+    let (fine, coarse) = (roll(FINE), roll(0.5 * FINE));
+    let error = ((fine.distance - coarse.distance) / fine.distance).abs();
+    let outcome = Outcome { duration: period(case), ..fine };
+    Truth { value: outcome.distance, outcome, source: "fine steps of LIGGGHTS's scheme", error }
+}
+
+/// Half a period of the loading stiffness \[s\]: how long a contact lasts, to within a factor of two.
+pub fn period(case: &Case) -> f64 {
+    PI * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt()
+}
+
+/// Loading stiffness \[N/m\] of the normal law at an overlap of a hundredth of the radius.
+pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
+    let mut chain = matter.chain().expect("a sound case");
+    let [i, j] = shot.bodies();
+    let call = Call { is_wall: shot.wall, ..Call::default() };
+    let gap = Gap { call, i, j, meff: shot.meff(), ..Gap::default() };
+    let surface = Surface { deltan: 0.01 * shot.radius, ..Surface::default() };
+    let row = vec![0.0; chain.row()];
+    chain.observe((0, 0), &Contact { gap, surface }, &row)[0].stiffness
+}
+
+/// The restitution by equations of their own, where there are such.
+fn closed_form(case: &Case) -> Option<f64> {
+    let value = |name| case.matter.value(name).expect("a value of the case");
+    if case.measure != Measure::Restitution {
+        return None;
+    }
+    match case.matter.laws[0] {
+        (Kind::Normal, "hooke" | "hertz") => Some(value("coefficientRestitution")),
+        (Kind::Normal, "hooke/hysteresis") if value("coefficientRestitution") == 1.0 => {
+            Some(hysteresis(case))
+        }
+        _ => None,
+    }
+}
+
+/// Energy balance of Luding's loop (arXiv:1503.03720), without dashpot.
+fn hysteresis(case: &Case) -> f64 {
+    let value = |name| case.matter.value(name).expect("a value of the case");
+    let reff = if case.shot.wall { case.shot.radius } else { 0.5 * case.shot.radius };
+    let (ratio, kc) = (value("coefficientMaxElasticStiffness"), value("coefficientAdhesionStiffness"));
+    let limit = ratio / (ratio - 1.0) * value("coefficientPlasticityDepth") * 2.0 * reff;
+    let depth = case.shot.speed * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt();
+    let lost = |k2: f64| (1.0 - 1.0 / k2) + kc * k2 / (k2 + kc) * (1.0 - 1.0 / k2).powi(2);
+    let square = if depth < limit {
+        let k2 = 1.0 + (ratio - 1.0) * depth / limit;
+        1.0 - lost(k2)
+    } else {
+        1.0 - (limit / depth).powi(2) * lost(ratio)
+    };
+    square.sqrt()
+}

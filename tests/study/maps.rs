@@ -1,0 +1,92 @@
+//! Maps against linear theory where that is exact, and the counting of agreement.
+use granlaw::study::stability::{agreement, Asked, Class, Field, Found, Place};
+
+fn field(name: &str) -> Field {
+    granlaw::study::stability::field(name).expect("a field")
+}
+
+/// A sphere at rest is a linear oscillator, so energy must be created where theory says.
+fn onset_by(theory: impl Fn(&granlaw::study::stability::Row) -> f64, name: &str) -> Result<(), String> {
+    let field = field(name);
+    for row in &field.rows {
+        let expected = theory(row) / row.unit();
+        // 600 steps tell a growth of a few per cent a step; below the limit the dashpot has long calmed everything.
+        for (factor, creates) in [(0.98, false), (1.03, true)] {
+            let step = factor * expected;
+            let class = row.class(step, &row.at(step, 8));
+            if class.creates() != creates {
+                return Err(format!("{name}, e = {}: {class:?} at {factor} of the critical step", row.param));
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn spheres_at_rest_fail_at_the_critical_step() {
+    onset_by(|r| r.normal.step(), "rest-normal").unwrap();
+    onset_by(|r| r.tangential.step(), "rest-tangential").unwrap();
+}
+
+#[test]
+fn a_wrong_critical_step_is_seen() {
+    assert!(onset_by(|r| 1.05 * r.normal.step(), "rest-normal").is_err());
+    assert!(onset_by(|r| 0.95 * r.normal.step(), "rest-normal").is_err());
+    // Without the turning of the sphere: 2/ω of m* instead of 2/7 m*.
+    let still = |r: &granlaw::study::stability::Row| {
+        granlaw::study::critical::Mode { mass: r.normal.mass, ..r.tangential }.step()
+    };
+    assert!(onset_by(still, "rest-tangential").is_err());
+}
+
+#[test]
+fn turning_lowers_the_tangential_limit_to_0_5345() {
+    let rows = field("size-ratio").rows;
+    for row in &rows {
+        let without_damping = row.tangential.step_centred() / row.unit();
+        // √(2/7), for spheres of any sizes.
+        approx::assert_relative_eq!(without_damping, (2.0f64 / 7.0).sqrt(), max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn stiff_unloading_creates_energy_where_the_check_is_silent() {
+    let field = field("k2max");
+    let row =
+        field.rows.iter().min_by(|a, b| (a.param - 100.0).abs().total_cmp(&(b.param - 100.0).abs())).unwrap();
+    // Below the linear limit, below what LIGGGHTS warns of, and yet.
+    let step = 0.6;
+    assert!(step * row.unit() < row.warns && step * row.unit() < row.normal.step());
+    let found = row.at(step, 32);
+    assert!(found.energy > 1.2, "{found:?}");
+    assert_eq!(row.class(step, &found), Class::CreatesSilently);
+    let calm = row.at(0.1, 32);
+    assert_eq!(row.class(0.1, &calm), Class::Fine);
+}
+
+#[test]
+fn classes_are_told_apart() {
+    let found = |error, energy, finite| Found { error, energy, astray: 0.0, missed: 0.0, finite };
+    let class = |f: Found, warned| f.class((0.01, 0.1), 1.01, warned);
+    assert_eq!(class(found(0.001, 1.0, true), false), Class::Fine);
+    assert_eq!(class(found(0.05, 1.0, true), true), Class::Rough);
+    assert_eq!(class(found(0.5, 1.0, true), true), Class::Wrong);
+    assert_eq!(class(found(0.0, 1.02, true), true), Class::Creates);
+    assert_eq!(class(found(0.0, 1.02, true), false), Class::CreatesSilently);
+    assert_eq!(class(found(0.0, 101.0, true), false), Class::BlowsUp);
+    assert_eq!(class(found(0.0, 1.0, false), true), Class::BlowsUp);
+    assert_eq!(class(found(f64::NAN, 1.0, true), true), Class::BlowsUp);
+}
+
+#[test]
+fn agreement_counts_places_near_borders_apart() {
+    let asked = |near, theirs| Asked { place: Place { row: 0, step: 0.1 }, ours: Class::Fine, theirs, near };
+    let all = [
+        asked(false, Class::Fine),
+        asked(false, Class::Creates),
+        asked(true, Class::Creates),
+        asked(true, Class::Fine),
+    ];
+    let n = agreement(all.iter());
+    assert_eq!((n.all, n.agree, n.far, n.far_agree), (4, 2, 2, 1));
+}
