@@ -54,6 +54,8 @@ pub struct Preload<'a> {
     pub every: u64,
     /// Where a probe of the contacts is written, if it is.
     pub probe: Option<PathBuf>,
+    /// The largest difference allowed where every call is held against the Rust laws, if it is.
+    pub shadow: Option<f64>,
     /// File name of the deck, for the traces.
     pub deck: Option<String>,
     /// How the pair style goes through its contacts; without it, batched where possible.
@@ -77,6 +79,10 @@ impl Preload<'_> {
         let route = self.route.map(|r| if r == Route::Batched { "batched" } else { "contact" });
         env.extend(route.map(|r| ("GRANLAW_PATH", r.into())));
         env.extend(self.probe.iter().map(|p| ("GRANLAW_PROBE", p.display().to_string())));
+        if let Some(tolerance) = self.shadow {
+            env.push(("GRANLAW_SHADOW", "on".into()));
+            env.push(("GRANLAW_TOLERANCE", format!("{tolerance:e}")));
+        }
         env.extend(self.deck.iter().map(|d| ("GRANLAW_DECK", d.clone())));
         env
     }
@@ -204,10 +210,9 @@ fn listed(root: &Path) -> Result<HashMap<PathBuf, (u64, Option<SystemTime>)>, Ru
 /// A command that this process becomes or starts, free of what a plugin in our own environment would leave in it.
 fn clean(program: &Path) -> Command {
     let mut command = Command::new(program);
-    for name in
-        ["LD_PRELOAD", "GRANLAW_LAWS", "GRANLAW_RECORD", "GRANLAW_EVERY", "GRANLAW_PROBE", "GRANLAW_DECK"]
-    {
-        command.env_remove(name);
+    command.env_remove("LD_PRELOAD");
+    for name in ["LAWS", "RECORD", "EVERY", "PROBE", "SHADOW", "TOLERANCE", "DECK"] {
+        command.env_remove(format!("GRANLAW_{name}"));
     }
     command
 }

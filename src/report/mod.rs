@@ -16,6 +16,8 @@ mod plot;
 mod summary;
 mod text;
 
+pub(crate) use text::rough;
+
 pub use folder::{check_target, write_all, ReportError, Writer};
 use serde::Serialize;
 

@@ -43,7 +43,7 @@ pub(super) fn exact(value: f64) -> String {
 }
 
 /// A number to three digits, for errors and limits.
-pub(super) fn rough(value: f64) -> String {
+pub(crate) fn rough(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }

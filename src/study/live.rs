@@ -146,6 +146,7 @@ impl Bench {
             record: None,
             every: 1,
             probe: None,
+            shadow: None,
             deck: None,
             route: None,
         };

@@ -101,6 +101,7 @@ impl Trial<'_> {
             record: record.then(Folder::record),
             every: deck.every,
             probe: None,
+            shadow: None,
             deck: Some(deck.file()),
             route: None,
         };

@@ -49,6 +49,25 @@ fn a_trace_of_any_length_is_recorded_and_replayed_in_little_memory() {
 }
 
 #[test]
+fn a_shadow_takes_the_same_memory_all_along() {
+    if !live("a_shadow_takes_the_same_memory_all_along") {
+        return;
+    }
+    let s = Scratch::new();
+    let mut run = begun(&s, &["run", "--shadow", "--", "-in", "endless.in"]);
+    let dump = s.path("dump.txt");
+    let after = |megabytes: u64| {
+        wait_for("more steps", || dump.metadata().is_ok_and(|m| m.len() > megabytes * MB));
+        peak(&run).expect("it is still running")
+    };
+    let (short, long) = (after(1), after(20));
+    assert!(long - short < MB, "grew from {short} to {long} bytes");
+    kill_process(Pid::from_child(&run), Signal::INT).unwrap();
+    assert!(run.wait().unwrap().success());
+    assert!(s.read("out.txt").contains("all equal to the last bit"));
+}
+
+#[test]
 fn a_program_that_keeps_what_it_reads_is_seen_to_grow() {
     // `tail` keeps a line until it ends.
     let mut tail = Command::new("tail").stdin(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();

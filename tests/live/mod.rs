@@ -70,7 +70,9 @@ impl Scratch {
     /// A command that runs here, with nothing in its environment that speaks to granlaw.
     pub fn command(&self, program: &Path) -> Command {
         let mut command = Command::new(program);
-        for name in ["PLUGIN", "LAWS", "RECORD", "EVERY", "DECK", "PATH", "LANES", "PROBE"] {
+        for name in
+            ["PLUGIN", "LAWS", "RECORD", "EVERY", "DECK", "PATH", "LANES", "PROBE", "SHADOW", "TOLERANCE"]
+        {
             command.env_remove(format!("GRANLAW_{name}"));
         }
         command.current_dir(self.dir.path()).env("TMPDIR", self.path("tmp"));

@@ -68,7 +68,7 @@ class Batch {
   const char *obstacle(PairGran *pair, bool tally, bool local) const {
     const LAMMPS_NS::Atom *atom = lmp_->atom;
     LAMMPS_NS::Modify *modify = lmp_->modify;
-    if (chain_->watched()) return "every call is recorded or counted";
+    if (chain_->watched()) return "every call is recorded, counted or compared";
     if (!chain_->rust()) return "a law of the chain is LIGGGHTS's own";
     if (!batch_) return "a law of the chain takes one contact at a time";
     if (!atom->radius || !atom->rmass || atom->shapetype_flag) return "particles are not spheres with masses of their own";

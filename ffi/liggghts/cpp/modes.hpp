@@ -21,6 +21,8 @@ struct Mode {
   std::string record;  // path of the trace, empty for none
   uint64_t every = 1;
   std::string probe;  // path of the probe, empty for none
+  bool shadow = false;  // whether every call is held against the Rust laws
+  double tolerance = 0.0;  // largest difference allowed then
   std::string deck;
   std::string trouble;  // what is wrong with the environment
 };
@@ -43,8 +45,19 @@ inline const Mode &mode() {
     m.lanes = get("GRANLAW_LANES");
     m.record = get("GRANLAW_RECORD");
     m.probe = get("GRANLAW_PROBE");
-    // LIGGGHTS's own laws can be recorded and probed only in our chain.
-    if (laws.empty() && (!m.record.empty() || !m.probe.empty())) m.laws = Laws::stock;
+    const std::string shadow = get("GRANLAW_SHADOW");
+    m.shadow = shadow == "on";
+    if (!shadow.empty() && shadow != "on" && shadow != "off") m.trouble = "GRANLAW_SHADOW=" + shadow + " must be on or off";
+    if (m.shadow && !laws.empty() && laws != "stock")
+      m.trouble = "GRANLAW_SHADOW=on runs LIGGGHTS's own laws, with the Rust laws beside them; leave GRANLAW_LAWS=" + laws + " out";
+    const std::string tolerance = get("GRANLAW_TOLERANCE");
+    if (!tolerance.empty()) {
+      char *end = nullptr;
+      m.tolerance = strtod(tolerance.c_str(), &end);
+      if (*end || !(m.tolerance >= 0.0)) m.trouble = "GRANLAW_TOLERANCE=" + tolerance + " must be a number, 0 or above";
+    }
+    // LIGGGHTS's own laws can be watched only in our chain.
+    if (laws.empty() && (!m.record.empty() || !m.probe.empty() || m.shadow)) m.laws = Laws::stock;
     m.deck = get("GRANLAW_DECK");
     const std::string every = get("GRANLAW_EVERY");
     if (!every.empty()) {

@@ -126,10 +126,13 @@ std::string host_trouble() {
 
 // LD_PRELOAD must not reach the programs that LIGGGHTS starts, but it must get through those that start LIGGGHTS (env,
 // timeout, perf): else the stock laws would run without a word.
-void forget_preload() {
+bool in_liggghts() {
   const std::string program = program_invocation_short_name;
+  return program.find("liggghts") != std::string::npos || program.find("lmp") == 0;
+}
+void forget_preload() {
   const char *list = getenv("LD_PRELOAD");
-  if (!list || (program.find("liggghts") == std::string::npos && program.find("lmp") != 0)) return;
+  if (!list || !in_liggghts()) return;
   std::string rest, item;
   for (const char *p = list;; p++) {
     if (*p && *p != ':' && *p != ' ') {
@@ -155,6 +158,7 @@ struct Start {
     }
     register_names();
     register_chains();
+    if (mode().shadow && in_liggghts()) Shadow::judge_the_end();
   }
 } start;
 

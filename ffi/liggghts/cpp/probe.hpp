@@ -2,15 +2,12 @@
 #ifndef GRANLAW_PROBE_HPP
 #define GRANLAW_PROBE_HPP
 
+#include "gather.hpp"
 #include "modes.hpp"
 #include "recorder.hpp"
 
 extern "C" {
 struct granlaw_probe;
-struct granlaw_probe_text {
-  const char *bytes;
-  size_t length;
-};
 granlaw_probe *granlaw_probe_new(void);
 granlaw_status granlaw_probe_chain(granlaw_probe *p, const granlaw_recorded_chain *chain, size_t *out);
 // Whether granlaw_probe_sample is due.
@@ -21,16 +18,15 @@ bool granlaw_probe_sees(granlaw_probe *p, size_t chain, const granlaw_pass *pass
 // What came of it: wanted of all walls and of followed contacts. `place` tells apart meshes that number their triangles alike.
 granlaw_status granlaw_probe_call(granlaw_probe *p, size_t chain, const granlaw_recorded_call *call, size_t place,
                                   bool followed);
-// What this rank saw, as text that lives until the process ends; `p` is used up.
-granlaw_status granlaw_probe_pack(granlaw_probe *p, granlaw_probe_text *out);
+// What this rank saw; `p` is used up.
+granlaw_status granlaw_probe_pack(granlaw_probe *p, granlaw_text *out);
 // The texts of all ranks, as one file.
-granlaw_status granlaw_probe_write(const char *path, const granlaw_probe_text *ranks, size_t n);
+granlaw_status granlaw_probe_write(const char *path, const granlaw_text *ranks, size_t n);
 }
 
 namespace granlaw {
 
-// What all chains of this rank are counted into. It is written when MPI is finalised, the one moment that every way to
-// end a run in order has in common: the end of the deck, `quit`, and errors that all ranks agree on.
+// What all chains of this rank are counted into, and written when the run ends in order.
 class Probe {
  public:
   // The one of this process, or nullptr if none is asked for.
@@ -77,29 +73,15 @@ class Probe {
     FILE *file = lmp->comm->me ? nullptr : fopen(part.c_str(), "w");
     if (!lmp->comm->me && !file) lmp->error->one(GRANLAW_HERE, ("granlaw cannot write the probe " + part).c_str());
     if (file) fclose(file);
-    int key = MPI_KEYVAL_INVALID;
-    MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, &Probe::finish, &key, nullptr);
-    MPI_Comm_set_attr(MPI_COMM_SELF, key, this);
+    at_the_end(&Probe::finish, this);
   }
 
-  // MPI calls this first thing in MPI_Finalize, while messages can still be sent.
   static int finish(MPI_Comm, int, void *self, void *) {
-    granlaw_probe_text mine = {nullptr, 0};
+    granlaw_text mine = {nullptr, 0};
     granlaw_status status = granlaw_probe_pack(static_cast<Probe *>(self)->probe_, &mine);
-    int rank = 0, ranks = 1;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    const int length = static_cast<int>(mine.length);
-    std::vector<int> lengths(ranks), starts(ranks);
-    MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
-    for (int k = 1; k < ranks; k++) starts[k] = starts[k - 1] + lengths[k - 1];
-    std::vector<char> all(rank ? 1 : starts[ranks - 1] + lengths[ranks - 1] + 1);
-    MPI_Gatherv(mine.bytes, length, MPI_CHAR, all.data(), lengths.data(), starts.data(), MPI_CHAR, 0, MPI_COMM_WORLD);
-    if (rank == 0 && status == GRANLAW_OK) {
-      std::vector<granlaw_probe_text> texts;
-      for (int k = 0; k < ranks; k++) texts.push_back({all.data() + starts[k], static_cast<size_t>(lengths[k])});
-      status = granlaw_probe_write(mode().probe.c_str(), texts.data(), texts.size());
-    }
+    const Gathered all(mine);
+    if (!all.texts().empty() && status == GRANLAW_OK)
+      status = granlaw_probe_write(mode().probe.c_str(), all.texts().data(), all.texts().size());
     if (status != GRANLAW_OK) fprintf(stderr, "granlaw: %s\n", granlaw_last_error());
     return MPI_SUCCESS;
   }

@@ -1,4 +1,4 @@
-// Sees every call of a chain: writes it down, or counts it, when that is asked for. SPDX-License-Identifier: GPL-2.0-or-later
+// Sees every call of a chain: writes it down, counts it, or holds it against the Rust laws, when that is asked for. SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef GRANLAW_WATCH_HPP
 #define GRANLAW_WATCH_HPP
 
@@ -6,6 +6,7 @@
 #include "modes.hpp"
 #include "probe.hpp"
 #include "recorder.hpp"
+#include "shadow.hpp"
 
 namespace granlaw {
 
@@ -20,7 +21,7 @@ class Watch {
  public:
   Watch(LAMMPS *lmp, IContactHistorySetup *parent, bool is_wall)
       : lmp_(lmp), given_(lmp), pair_(is_wall ? nullptr : dynamic_cast<PairGran *>(parent)), recording_(!mode().record.empty()),
-        probe_(Probe::of(lmp)), on_(recording_ || probe_), who_("pair"), recorder_(nullptr), begun_(false), n_(0) {
+        probe_(Probe::of(lmp)), shadow_(Shadow::of(lmp)), on_(recording_ || probe_ || shadow_), who_("pair"), recorder_(nullptr), begun_(false), n_(0) {
     if (FixWallGran *wall = is_wall ? dynamic_cast<FixWallGran *>(parent) : nullptr) who_ = std::string("wall ") + wall->id;
   }
   Watch(const Watch &) = delete;
@@ -67,24 +68,26 @@ class Watch {
     if (!on_) return;
     if (s.is_wall) look();
     followed_ = probe_ && mine(s) && probe_->sees(probed_, pass_, s);
-    if (recording_ || followed_) keep(s);
+    if (recording_ || shadow_ || followed_) keep(s);
   }
   void before(SurfacesCloseData &s) {
-    if (recording_) keep(s);
+    if (recording_ || shadow_) keep(s);
   }
   void touched(SurfacesIntersectData &s, ForceData &i, ForceData &j) {
+    if (shadow_) shadow_->call(shadowed_, call(s, true, i, j));
     if (!on_ || !mine(s)) return;
     if (probe_) probe_->touched(probed_, pass_, followed_, before_.data(), s, i, j);
     if (recording_) write(s, true, i, j);
   }
   void parted(SurfacesCloseData &s, ForceData &i, ForceData &j) {
-    if (!recording_) return;
+    if (!recording_ && !shadow_) return;
     if (s.is_wall) look();
-    if (!mine(s)) return;
     s.omega_i = lmp_->atom->omega[s.i];
     if (!s.is_wall) s.omega_j = lmp_->atom->omega[s.j];
     // LIGGGHTS hands the larger struct through a reference to its base.
-    write(static_cast<SurfacesIntersectData &>(s), false, i, j);
+    SurfacesIntersectData &whole = static_cast<SurfacesIntersectData &>(s);
+    if (shadow_) shadow_->call(shadowed_, call(whole, false, i, j));
+    if (recording_ && mine(s)) write(whole, false, i, j);
   }
 
  private:
@@ -108,13 +111,17 @@ class Watch {
     return s.is_wall || s.j < atom->nlocal || atom->tag[s.i] < atom->tag[s.j];
   }
 
+  granlaw_recorded_call call(SurfacesIntersectData &s, bool touch, ForceData &i, ForceData &j) const {
+    const double *after = n_ && s.contact_history ? s.contact_history : before_.data();
+    const double mi = mass(lmp_, pair_, s.i), mj = s.is_wall ? 0.0 : mass(lmp_, pair_, s.j);
+    return {&pass_, mirror(s), touch, mi, mj, before_.data(), after, mirror(i), mirror(j)};
+  }
+
   void write(SurfacesIntersectData &s, bool touch, ForceData &i, ForceData &j) {
     if (pass_.step % static_cast<int64_t>(mode().every)) return;
     start(false);
-    const double *after = n_ && s.contact_history ? s.contact_history : before_.data();
-    const double mi = mass(lmp_, pair_, s.i), mj = s.is_wall ? 0.0 : mass(lmp_, pair_, s.j);
-    const granlaw_recorded_call call = {&pass_, mirror(s), touch, mi, mj, before_.data(), after, mirror(i), mirror(j)};
-    check(granlaw_record_call(recorder_, &call));
+    const granlaw_recorded_call written = call(s, touch, i, j);
+    check(granlaw_record_call(recorder_, &written));
   }
 
   void start(bool with_particles) {
@@ -149,6 +156,7 @@ class Watch {
         lmp_->update->dt, laws.data(), laws.size(), names.data(), names.size(), {}};
     for (size_t k = 0; k < GRANLAW_ATOM_PROPS; k++) chain.given[k] = given_.has(k);
     if (probe_) probed_ = probe_->chain(chain);
+    if (shadow_) shadowed_ = shadow_->chain(chain);
     if (recording_) check(recorder_ ? granlaw_record_again(recorder_, &chain) : granlaw_record_open(&chain, &recorder_));
   }
 
@@ -176,6 +184,8 @@ class Watch {
   bool recording_;
   Probe *probe_;
   size_t probed_ = 0;  // this chain among those of the probe
+  Shadow *shadow_;
+  size_t shadowed_ = 0;  // and among those of the shadow
   bool followed_ = false;  // whether the probe wants the contact at hand
   bool on_;
   std::string who_;

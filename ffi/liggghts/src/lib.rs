@@ -7,6 +7,8 @@ pub use granlaw_capi::*;
 mod batch;
 mod probe;
 mod recorder;
+mod shadow;
+mod text;
 
 #[cfg(liggghts)]
 #[used]

@@ -1,5 +1,6 @@
 //! Counts what the C++ half sees of all chains. The structs are those of `cpp/recorder.hpp` and `cpp/probe.hpp`.
 use crate::recorder::{header, text, RecordedCall, RecordedChain, RecordedParticles};
+use crate::text::Text;
 use granlaw::probe::{Call, Particles, Probe, Session};
 use granlaw::trace::Handed;
 use granlaw_capi::abi::{granlaw_pass, granlaw_status, granlaw_surfaces_close_data};
@@ -7,12 +8,6 @@ use granlaw_capi::convert::{contact, slice};
 use granlaw_capi::status::{boundary, Failure};
 use std::ffi::c_char;
 use std::path::Path;
-
-#[repr(C)]
-pub struct Text {
-    bytes: *const u8,
-    length: usize,
-}
 
 /// What this rank has seen; empty once it is packed.
 #[derive(Default)]
@@ -140,11 +135,7 @@ unsafe extern "C" fn granlaw_probe_pack(p: *mut Probing, out: *mut Text) -> gran
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (p, out) = unsafe { (&mut *p, &mut *out) };
-        let probe = p.session.take().ok_or_else(over)?.finish();
-        let text = serde_json::to_vec(&probe).map_err(|e| Failure::refused(format!("the probe: {e}")))?;
-        // The process is about to end.
-        let text: &'static [u8] = text.leak();
-        *out = Text { bytes: text.as_ptr(), length: text.len() };
+        *out = Text::json(&p.session.take().ok_or_else(over)?.finish())?;
         Ok(())
     })
 }
@@ -158,17 +149,8 @@ unsafe extern "C" fn granlaw_probe_write(
     boundary(|| {
         // SAFETY: the C++ half gives a C string and as many texts as ranks.
         let (path, texts) = unsafe { (text(path), slice(ranks, n)) };
-        let mut whole: Option<Probe> = None;
-        for t in texts {
-            // SAFETY: as above.
-            let probe: Probe = serde_json::from_slice(unsafe { slice(t.bytes, t.length) })
-                .map_err(|e| Failure::refused(format!("the probe of a rank: {e}")))?;
-            match &mut whole {
-                Some(w) => w.merge(probe),
-                None => whole = Some(probe),
-            }
-        }
-        let whole = whole.ok_or_else(|| Failure::misuse("no rank"))?;
+        // SAFETY: as above.
+        let whole: Probe = unsafe { Text::merged(texts, Probe::merge) }?;
         whole.write(Path::new(&path)).map_err(|e| Failure::refused(e.to_string()))
     })
 }

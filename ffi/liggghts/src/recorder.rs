@@ -14,6 +14,7 @@ use std::path::PathBuf;
 pub struct Recorder {
     path: PathBuf,
     header: Header,
+    row: Row,
     /// Opened when the first contact pass begins, because the head names the particles.
     writer: Option<Writer<File>>,
 }
@@ -157,7 +158,7 @@ unsafe extern "C" fn granlaw_record_open(c: *const RecordedChain, out: *mut *mut
         let (c, out) = unsafe { (&*c, &mut *out) };
         // SAFETY: as above.
         let (path, header) = unsafe { (PathBuf::from(text(c.path)), header(c)?) };
-        *out = Box::into_raw(Box::new(Recorder { path, header, writer: None }));
+        *out = Box::into_raw(Box::new(Recorder { path, header, row: Row::default(), writer: None }));
         Ok(())
     })
 }
@@ -219,15 +220,17 @@ unsafe extern "C" fn granlaw_record_call(r: *mut Recorder, c: *const RecordedCal
         // SAFETY: the C++ half gives valid pointers.
         let (r, c) = unsafe { (&mut *r, &*c) };
         // SAFETY: as above; before and after have one number per slot.
-        let row = unsafe { row(c, r.header.slots.len()) };
+        unsafe { fill(c, r.header.slots.len(), &mut r.row) };
         let writer = r.writer.as_mut().ok_or(Failure::misuse("a call before the recording began"))?;
-        writer.row(&row).map_err(failed)
+        writer.row(&r.row).map_err(failed)
     })
 }
 
+/// Writes a call into a row, whose memory is used again.
+///
 /// # Safety
 /// Pointers of `c` are valid; histories have `n` numbers.
-unsafe fn row(c: &RecordedCall, n: usize) -> Row {
+pub(crate) unsafe fn fill(c: &RecordedCall, n: usize, row: &mut Row) {
     // SAFETY: as the caller promises, in this block.
     let (pass, s, before, after, fi, fj) =
         unsafe { (&*c.pass, &*c.contact, slice(c.before, n), slice(c.after, n), &*c.i_forces, &*c.j_forces) };
@@ -240,22 +243,27 @@ unsafe fn row(c: &RecordedCall, n: usize) -> Row {
         // SAFETY: as above.
         (unsafe { parted(pass, &s.close, [c.mi, c.mj]) }, Surface::default(), Handed::default())
     };
-    Row {
+    let (mut own, mut then) = (std::mem::take(&mut row.before), std::mem::take(&mut row.after));
+    own.clear();
+    own.extend_from_slice(before);
+    then.clear();
+    then.extend_from_slice(after);
+    *row = Row {
         computeflag: s.close.computeflag,
         shearupdate: s.close.shearupdate,
         touch: c.touch,
         types: (s.close.itype as usize - 1, s.close.jtype as usize - 1),
         gap,
         surface,
-        before: before.to_vec(),
-        after: after.to_vec(),
+        before: own,
+        after: then,
         handed,
         force_i: fi.delta_F.into(),
         torque_i: fi.delta_torque.into(),
         force_j: fj.delta_F.into(),
         torque_j: fj.delta_torque.into(),
         has_force: c.touch || s.close.has_force_update,
-    }
+    };
 }
 
 #[no_mangle]

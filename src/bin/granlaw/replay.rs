@@ -21,13 +21,8 @@ pub struct Args {
     #[arg(required = true, value_name = "TRACE")]
     traces: Vec<PathBuf>,
     /// Largest error allowed, relative to the peak of each quantity.
-    #[arg(long, value_name = "ERROR", default_value_t = 1e-14, value_parser = tolerance)]
+    #[arg(long, value_name = "ERROR", default_value_t = 1e-14, value_parser = crate::tolerance)]
     tolerance: f64,
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    let limit = text.parse().ok().filter(|x: &f64| x.is_finite() && *x >= 0.0);
-    limit.ok_or("must be a number, 0 or above, such as 1e-12".into())
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {

@@ -10,12 +10,16 @@ use std::process::ExitCode;
 /// LIGGGHTS runs in this folder, in place of granlaw: input, output, exit status, Ctrl-C and signals are its own.
 /// Without --laws the names ending in `/rs` are ours and all others LIGGGHTS's own; --record then implies --laws stock,
 /// which is the same with LIGGGHTS's laws where they can be recorded.
+///
+/// With --shadow the run is LIGGGHTS's own to the last bit, and in every contact call the Rust laws answer too, from the
+/// same inputs. What differs is told at the end, and the exit status is then 3; it is 2 if no call could be compared.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   granlaw run -- -in deck.in                       a deck that names laws ending in /rs
   granlaw run --laws rust -- -in deck.in           any deck, on the Rust laws
   granlaw run --record calls.trace -- -in deck.in  LIGGGHTS's own laws, every contact call recorded
   granlaw run --probe scene.json -- -in deck.in    what the contacts of a scene do
+  granlaw run --shadow -- -in deck.in              LIGGGHTS's laws and the Rust laws on the same inputs, all along
   granlaw run --laws rust --np 4 -- -in deck.in    on four MPI ranks")]
 pub struct Args {
     /// Whose laws answer to the stock names.
@@ -34,6 +38,12 @@ pub struct Args {
     /// Count what the contacts do, and write it to this file as JSON; the laws are those of --laws, by default LIGGGHTS's own.
     #[arg(long, value_name = "FILE")]
     probe: Option<PathBuf>,
+    /// Hold the Rust laws against LIGGGHTS's own in every contact call.
+    #[arg(long)]
+    shadow: bool,
+    /// Largest difference allowed, relative to the forces that the laws add up in a call. None is the claim, so 0 is the default.
+    #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = crate::tolerance)]
+    tolerance: f64,
     /// Run on N MPI ranks, with mpirun.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     np: u64,
@@ -69,10 +79,14 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
             bail!("{option} {}: there is no folder {}; make it first", path.display(), folder.display());
         }
     }
+    let watched = args.record.is_some() || args.probe.is_some() || args.shadow;
     let laws = match args.laws {
-        // LIGGGHTS's own laws can be recorded and probed only where they run in our chain.
-        None if args.record.is_some() || args.probe.is_some() => Laws::Stock,
+        // LIGGGHTS's own laws can be watched only where they run in our chain.
+        None if watched => Laws::Stock,
         None => Laws::Own,
+        Some(Whose::Rust) if args.shadow => {
+            bail!("--shadow runs LIGGGHTS's own laws, with the Rust laws beside them; leave --laws rust out")
+        }
         Some(Whose::Rust) => Laws::Rust,
         Some(Whose::Stock) => Laws::Stock,
     };
@@ -87,6 +101,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         record: args.record.clone(),
         every: args.every,
         probe: args.probe.clone(),
+        shadow: args.shadow.then_some(args.tolerance),
         deck,
         route,
     };
