@@ -2,7 +2,7 @@
 # What the Rust laws cost inside LIGGGHTS: pairs of runs, stock and rust in turn, of each deck; prints the medians of
 # LIGGGHTS's Pair time and of their ratio. Both sides must write the same dump. A deck sees its side in the variable
 # `rust`, 0 or 1, so that it can hold a law of ours against another of LIGGGHTS's; where the two are not the same law,
-# `# bench: dumps differ` says so.
+# `# bench: dumps differ` says so; `# bench: plugin on both sides` compares two laws that are both ours.
 # Example: scripts/bench.sh --pairs 15 scripts/bench/fcc.in
 set -euo pipefail
 export LC_ALL=C
@@ -13,7 +13,7 @@ path=contact # one call per contact
 decks=()
 while [ $# -gt 0 ]; do
     case "$1" in
-    -h | --help) sed -n '2,6s/^# //p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,7s/^# //p' "$0"; exit 0 ;;
     --pairs) pairs=${2:?--pairs needs a number}; shift 2 ;;
     -*) echo "bench.sh: unknown option $1; see --help" >&2; exit 2 ;;
     *) decks+=("$(realpath "$1")"); shift ;;
@@ -28,8 +28,11 @@ trap 'rm -rf "$scratch"' EXIT
 # Runs one side in its own folder and prints its Pair and Loop times [s], those of the longest run of the deck.
 side() {
     mkdir -p "$scratch/$1" && cd "$scratch/$1"
-    local env=() rust=0
-    [ "$1" = stock ] || env=(GRANLAW_LAWS=rust "GRANLAW_PATH=$path" "LD_PRELOAD=$plugin") rust=1
+    local env=(GRANLAW_LAWS=rust "GRANLAW_PATH=$path" "LD_PRELOAD=$plugin") rust=1
+    if [ "$1" = stock ]; then
+        rust=0
+        grep -q '^# bench: plugin on both sides' "$2" || env=()
+    fi
     env "${env[@]}" liggghts -in "$2" -var rust "$rust" >out.txt 2>&1 || { tail -5 out.txt >&2; exit 2; }
     awk '/^Pair  time/ && $5 > pair {pair = $5} /^Loop time/ && $4 > loop {loop = $4} END {print pair, loop}' out.txt
 }

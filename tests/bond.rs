@@ -8,5 +8,7 @@ mod dynamics;
 mod oracle;
 #[path = "bond/points.rs"]
 mod points;
+#[path = "bond/turned.rs"]
+mod turned;
 #[path = "bond/upstream.rs"]
 mod upstream;

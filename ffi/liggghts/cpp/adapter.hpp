@@ -23,6 +23,7 @@
 #include "settings.h"
 #include "update.h"
 #include "mirror.hpp"
+#include "roll.hpp"
 #include "wall.hpp"
 
 // LIGGGHTS's macro would print a path of the machine that built us.
@@ -346,10 +347,16 @@ class Segment {
   granlaw_setup setup() const { return granlaw_setup{choices_.data(), choices_.size(), types_, lmp_->force->nktv2p}; }
 
   void beginPass() {
+    if (bonding() && lmp_->update->ntimestep == lmp_->update->firststep && roll_.renumbered(lmp_->atom))
+      stop(lmp_, "pair_style gran: particles have new numbers since the last run, and LIGGGHTS hands bonds on by number; "
+                 "use delete_atoms ... compress no");
     given_.refresh();
     begin();
   }
-  void endPass() { check(granlaw_end_pass(chain_)); }
+  void endPass() {
+    check(granlaw_end_pass(chain_));
+    if (bonding() && lmp_->update->ntimestep == lmp_->update->laststep) roll_.take(lmp_->atom);
+  }
 
   void surfacesIntersect(SurfacesIntersectData &s, ForceData &i_forces, ForceData &j_forces) {
     if (s.is_wall) begin();  // walls never announce a pass
@@ -369,6 +376,11 @@ class Segment {
   const Given &given() const { return given_; }
 
  private:
+  bool bonding() const {
+    for (const auto &law : laws_)
+      if (law->descriptor().bonds) return true;
+    return false;
+  }
   void begin() {
     const granlaw_pass pass = pass_of(lmp_, pair_, given_);
     check(granlaw_begin_pass(chain_, &pass));
@@ -409,6 +421,7 @@ class Segment {
   std::vector<granlaw_choice> choices_;
   granlaw_bonds before_;        // of the chains of runs that are over
   std::set<std::string> said_;  // remarks, each once
+  Roll roll_;
   std::vector<std::unique_ptr<Law> > laws_;
 };
 

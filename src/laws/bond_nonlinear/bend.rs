@@ -29,8 +29,7 @@ impl Disc {
 
     /// g(θ), to be multiplied by −I: unloading from the nearest point of the disc that is left of the visited one.
     pub fn stress(&self, line: &Line, theta: &Vector3<f64>) -> Vector3<f64> {
-        let left = line.left();
-        let (centre, rho) = (self.centre * left, self.rho * left);
+        let (centre, rho) = (self.centre * line.left, self.rho * line.left);
         let out = theta - centre;
         let s = out.norm();
         let nearest = if s > rho { centre + out * (rho / s) } else { *theta };

@@ -10,6 +10,8 @@ pub struct Line {
     pub ku: f64,
     /// The line through zero.
     pub kc: f64,
+    /// The part of the largest deformation that is left when the force has come back to the line through zero (5).
+    pub left: f64,
 }
 
 impl Line {
@@ -19,16 +21,13 @@ impl Line {
         if ku < k {
             return Err(p.refuse(names[1], ku, Range::at_least(k)));
         }
-        Ok(Line { k, ku, kc })
+        Ok(Line::of(k, ku, kc))
     }
 
-    /// The part of the largest deformation that is left when the force has come back to the line through zero (5).
-    pub fn left(&self) -> f64 {
-        if self.ku == self.k {
-            0.0
-        } else {
-            (self.ku - self.k) / (self.ku + self.kc)
-        }
+    /// From ku ≥ k ≥ 0 and kc ≥ 0.
+    pub fn of(k: f64, ku: f64, kc: f64) -> Line {
+        let left = if ku == k { 0.0 } else { (ku - k) / (ku + kc) };
+        Line { k, ku, kc, left }
     }
 }
 

@@ -9,7 +9,8 @@ pub fn along(load: f64, eta: f64, speed: f64, inertia: f64) -> f64 {
     if speed == 0.0 || eta == 0.0 {
         return load;
     }
-    load - eta * load.abs() * (speed / speed.abs().max(load.abs() / inertia))
+    let (size, least) = (speed.abs(), least(load.abs(), inertia));
+    load - eta * load.abs() * if size >= least { speed.signum() } else { speed / least }
 }
 
 /// The damped load in a plane.
@@ -19,5 +20,14 @@ pub fn in_plane(load: Vector3<f64>, eta: f64, velocity: &Vector3<f64>, inertia: 
         return load;
     }
     let size = load.norm();
-    load - velocity * (eta * size / speed.max(size / inertia))
+    load - velocity * (eta * size / speed.max(least(size, inertia)))
+}
+
+/// x0, without a division where there is none.
+fn least(size: f64, inertia: f64) -> f64 {
+    if inertia == f64::INFINITY {
+        0.0
+    } else {
+        size / inertia
+    }
 }

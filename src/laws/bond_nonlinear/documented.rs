@@ -75,21 +75,25 @@ pub fn act(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
     if h.r0 == 0.0 {
         return begin(f, x, h, s);
     }
-    let mut now = *h;
-    let (m, side) = (Motion::new(f, x, &mut now), seen_from(x));
     if x.call.update {
-        if failure::torn(f, apart(x, m.r)) {
-            return end(h, s);
-        }
-        m.advance(f, x.call.dt, &mut now, side);
+        return hold(f, x, h, s);
     }
-    let delta = now.r0 - m.r; // (1)
-    let loads = loads(f, delta, &mut now, side);
+    hold(f, x, &mut h.clone(), s);
+}
+
+/// A bond that is there; `h` moves on where history may be written.
+fn hold(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
+    let (m, side) = (Motion::new(f, x, h), seen_from(x));
     if x.call.update {
-        if failure::fails(f, delta, &loads) {
+        if failure::torn(f, apart(x, m.r)) || m.out_of_hand() {
             return end(h, s);
         }
-        *h = now;
+        m.advance(f, x.call.dt, h, side);
+    }
+    let delta = h.r0 - m.r; // (1)
+    let loads = loads(f, delta, h, side);
+    if x.call.update && failure::fails(f, delta, &loads) {
+        return end(h, s);
     }
     react(f, x, &m, &loads, s);
     (s.mark, s.life) = (Mark::Set, Life::Lasts);
@@ -146,6 +150,13 @@ impl Motion {
             turn: x.i.omega - x.j.omega,
             mean: 0.5 * (x.i.omega + x.j.omega).dot(&half),
         }
+    }
+
+    /// Whether the bond turned by a right angle or more in one step, so that how it turned cannot be told; no run with a
+    /// sensible time step comes near. A length of 0 counts too.
+    fn out_of_hand(&self) -> bool {
+        let cosine = self.before.dot(&self.n);
+        cosine <= 0.0 || cosine.is_nan()
     }
 
     /// Carry the stored vectors with the bond and add what this step brings.

@@ -34,6 +34,7 @@
 //! Limits: sgn damping chatters at rest with |v| ≈ ½ η g Δt; √δ has infinite stiffness at δ = 0; branch switches pump
 //! energy in resonance bands, so take 0.1 of the stable step undamped, 0.5 with η ≥ 0.1. With
 //! `ratioTensionCompressionBond on` the strength jumps at δ = 0. A wall bond must not cross a periodic boundary.
+//! A bond that turns by a right angle or more in one step breaks (`documented`), as how it turned cannot be told.
 mod bend;
 mod coeffs;
 mod creation;

@@ -15,9 +15,9 @@ const BRANCHES: [&str; 6] = [
 fn branch(c: &Coeffs, delta: f64, max: f64, min: f64) -> usize {
     match () {
         _ if delta < 0.0 && delta <= min => 1,
-        _ if delta < c.tension.left() * min => 2, // (5)
+        _ if delta < c.tension.left * min => 2, // (5)
         _ if delta < 0.0 => 3,
-        _ if delta < c.compression.left().powi(2) * max => 4, // (5)
+        _ if delta < c.compression.left.powi(2) * max => 4, // (5)
         _ if delta < max => 5,
         _ => 6,
     }

@@ -24,8 +24,8 @@ fn coeffs(values: &[(&str, f64)], settings: &[(&str, &str)]) -> Result<Coeffs, L
 
 fn lines() -> Coeffs {
     Coeffs {
-        compression: Line { k: 4e7, ku: 8e7, kc: 2e7 },
-        tension: Line { k: 1e10, ku: 2e10, kc: 5e9 },
+        compression: Line::of(4e7, 8e7, 2e7),
+        tension: Line::of(1e10, 2e10, 5e9),
         ..coeffs(&[], &[]).unwrap()
     }
 }
@@ -93,7 +93,9 @@ fn path() -> Vec<f64> {
     corners.windows(2).flat_map(leg).collect()
 }
 
-const TURN: Line = Line { k: 4e9, ku: 8e9, kc: 2e9 };
+fn turn() -> Line {
+    Line::of(4e9, 8e9, 2e9)
+}
 
 /// Bending in one plane follows the two-sided law of twist.
 #[test]
@@ -103,7 +105,7 @@ fn bending_in_a_plane_is_the_law_of_twist() {
     for angle in path() {
         (max, min) = (max.max(angle), min.min(angle));
         disc.visit(&(way * angle));
-        let (g, f) = (disc.stress(&TURN, &(way * angle)), twist::stress(&TURN, angle, max, min));
+        let (g, f) = (disc.stress(&turn(), &(way * angle)), twist::stress(&turn(), angle, max, min));
         assert!((g - way * f).norm() < 2e-15 * 8e9 * 5e-3, "{g} against {f:e} at {angle:e}");
     }
 }
@@ -113,7 +115,7 @@ fn twist_is_the_same_in_both_senses() {
     let (mut max, mut min) = (0.0f64, 0.0f64);
     for angle in path() {
         (max, min) = (max.max(angle), min.min(angle));
-        assert_eq!(twist::stress(&TURN, angle, max, min), -twist::stress(&TURN, -angle, -min, -max));
+        assert_eq!(twist::stress(&turn(), angle, max, min), -twist::stress(&turn(), -angle, -min, -max));
     }
 }
 
@@ -130,12 +132,12 @@ fn bending_in_all_directions_is_continuous_and_takes_work() {
         let angle = 17.0 * t + 3.0 * (11.0 * t).sin();
         let theta = Vector3::new(size * angle.cos(), size * angle.sin(), 0.0);
         disc.visit(&theta);
-        let (now, step) = (disc.stress(&TURN, &theta), theta - last);
+        let (now, step) = (disc.stress(&turn(), &theta), theta - last);
         let change: Vector3<f64> = now - stress;
         // Of first loading, kinks aside, at most ku.
-        assert!(change.norm() <= 1.0001 * TURN.ku * step.norm(), "jump at {t}");
+        assert!(change.norm() <= 1.0001 * turn().ku * step.norm(), "jump at {t}");
         let along = change.dot(&step) / step.norm_squared();
-        assert!(along >= -1.0001 * TURN.kc, "tangent {along:e} at {t}");
+        assert!(along >= -1.0001 * turn().kc, "tangent {along:e} at {t}");
         let w = 0.5 * (now + stress).dot(&step);
         (work, moved) = (work + w, moved + w.abs());
         (last, stress) = (theta, now);

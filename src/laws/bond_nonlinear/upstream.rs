@@ -155,11 +155,11 @@ fn normal_force(f: &Fit, delta: f64, [max, min]: &mut [f64; 2]) -> f64 {
         return 0.0;
     }
     match () {
-        _ if delta < pull.left() * smallest => {
+        _ if delta < pull.left * smallest => {
             pull.ku * f.area * delta + (pull.k - pull.ku) * f.area * smallest
         }
         _ if delta < 0.0 => -pull.kc * f.area * delta,
-        _ if delta < press.left() * press.left() * largest => -press.kc * delta.sqrt(),
+        _ if delta < press.left * press.left * largest => -press.kc * delta.sqrt(),
         _ if delta < largest => press.ku * delta.sqrt() + (press.k - press.ku) * largest.sqrt(),
         _ => press.k * delta.sqrt(),
     }
@@ -173,7 +173,7 @@ fn torques(
     max: &mut [f64; 3],
     min: &mut [f64; 3],
 ) -> Vector3<f64> {
-    let Line { k, ku, kc } = *line;
+    let Line { k, ku, kc, left } = *line;
     Vector3::from_fn(|axis, _| {
         let (t, max, min) = (theta[axis], &mut max[axis], &mut min[axis]);
         if t > 0.0 {
@@ -183,8 +183,8 @@ fn torques(
         }
         let torque = match () {
             _ if t >= *max || t <= *min => -k * area * t,
-            _ if t > line.left() * *max => -ku * area * t + (ku - k) * area * *max,
-            _ if t >= line.left() * *min => kc * area * t,
+            _ if t > left * *max => -ku * area * t + (ku - k) * area * *max,
+            _ if t >= left * *min => kc * area * t,
             _ => -ku * area * t + (ku - k) * area * *min,
         };
         (*max, *min) = (t.max(*max), t.min(*min));
