@@ -38,8 +38,10 @@ pub struct Compared {
     pub who: String,
     /// The laws, for instance `normal hooke/hysteresis, tangential history`.
     pub laws: String,
-    /// How the Rust laws went through the contacts.
+    /// How the Rust laws went through contacts side by side; empty where they did not.
     pub way: String,
+    /// Calls compared so; the others were, one after the other.
+    pub batched: u64,
     /// Why nothing is compared; `None` where it is.
     pub left_out: Option<String>,
     /// Calls seen.
@@ -141,6 +143,7 @@ impl Compared {
 
     fn merge(&mut self, other: Compared) {
         self.calls += other.calls;
+        self.batched += other.batched;
         self.differing += other.differing;
         for (mine, theirs) in self.worst.iter_mut().zip(other.worst) {
             let worse = |w: &Worst| mine.as_ref().is_none_or(|m| w.error > m.error);

@@ -34,8 +34,8 @@ impl Session {
             Err(why) => (None, Some(why)),
         };
         let names: Vec<_> = header.laws.iter().map(name).collect();
-        let (who, laws, way) = (header.who.clone(), names.join(", "), "one contact at a time".into());
-        let found = Compared { who, laws, way, left_out, ..Compared::default() };
+        let (who, laws) = (header.who.clone(), names.join(", "));
+        let found = Compared { who, laws, left_out, ..Compared::default() };
         let known = self.chains.iter().position(|w| w.found.is(&found));
         let at = known.unwrap_or(self.chains.len());
         if known.is_none() {
@@ -59,6 +59,25 @@ impl Session {
             let differences = w.measure.differences(row, &w.answer);
             w.keep(row, differences);
         }
+    }
+
+    /// Whether calls of a chain are compared.
+    pub fn compares(&self, at: usize) -> bool {
+        self.chains[at].chain.is_some()
+    }
+
+    /// From now on calls of a chain may be [`answered`](Session::answered) by many at a time, and this is how.
+    pub fn side_by_side(&mut self, at: usize, way: &str) {
+        self.chains[at].found.way = way.to_string();
+    }
+
+    /// A call with LIGGGHTS's answer and that of the Rust laws, which was worked out elsewhere.
+    pub fn answered(&mut self, at: usize, row: &Row, rust: &Answer) {
+        let w = &mut self.chains[at];
+        w.found.calls += 1;
+        w.found.batched += 1;
+        let differences = w.measure.differences(row, rust);
+        w.keep(row, differences);
     }
 
     /// The run is over.

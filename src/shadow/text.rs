@@ -48,7 +48,12 @@ impl Compared {
             0 => "all equal to the last bit".to_string(),
             n => format!("{n} differ"),
         };
-        line(t, &format!("    {} calls compared, {}: {equal}", self.calls, self.way));
+        let way = match self.batched {
+            0 => "one contact at a time".to_string(),
+            n if n == self.calls => format!("batched, {}", self.way),
+            n => format!("{n} of them batched, {}", self.way),
+        };
+        line(t, &format!("    {} calls compared, {way}: {equal}", self.calls));
         let found = || MEASURES.iter().zip(&self.worst).filter_map(|(m, w)| Some((m, w.as_ref()?)));
         for (measure, w) in found() {
             line(t, &format!("    {measure}: {}", w.text()));

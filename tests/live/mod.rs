@@ -75,6 +75,8 @@ impl Scratch {
         {
             command.env_remove(format!("GRANLAW_{name}"));
         }
+        // Ranks that wait would take the processors from those that work.
+        command.env("OMPI_MCA_mpi_yield_when_idle", "1");
         command.current_dir(self.dir.path()).env("TMPDIR", self.path("tmp"));
         command
     }

@@ -1,6 +1,6 @@
 //! Shadows of runs inside LIGGGHTS.
 use crate::built::{alone, must};
-use crate::live::{deck, live, plugin, Said, Scratch};
+use crate::live::{deck, live, plugin, program, Said, Scratch};
 use granlaw::trace::Reader;
 use std::fs;
 use std::path::Path;
@@ -63,6 +63,35 @@ fn a_shadow_sees_every_call_and_leaves_the_run_as_it_was() {
         let expected = if ranks == 1 { 1.0..=1.0 } else { 1.0..=1.5 };
         assert!(rows > 100 && expected.contains(&share), "{name}: {seen} calls, {rows} rows");
     }
+}
+
+/// Pairs go through the batched pass, as they do in a run on the Rust laws; `--path contact` and walls take the other way.
+#[test]
+fn either_path_and_every_width_is_held_against_liggghts() {
+    if !live("either_path_and_every_width_is_held_against_liggghts") {
+        return;
+    }
+    let s = Scratch::new();
+    for name in ["unequal_oblique.in", "frozen_partner.in"] {
+        s.file("deck.in", &deck(name, &[]));
+        let run = |path: &str, lanes: &str| {
+            let args = ["run", "--shadow", "--path", path, "--", "-in", "deck.in"];
+            let said = Said::of(s.command(program()).args(args).env("GRANLAW_LANES", lanes));
+            said.ends(0, &["all equal to the last bit", "worst difference 0"])
+        };
+        let single = run("contact", "").says(&["calls compared, one contact at a time: "]);
+        let n = calls(&single, "agreed: ");
+        assert!(n > 100, "{single}");
+        for (lanes, way) in
+            [("1", "one contact at a time"), ("4", "4 contacts at a time, "), ("8", "8 contacts at a time, ")]
+        {
+            let said = run("batched", lanes).says(&[&format!("{n} calls compared, batched, {way}")]);
+            assert_eq!(calls(&said, "agreed: "), n);
+        }
+    }
+    let args = ["run", "--shadow", "--", "-in", "deck.in"];
+    Said::of(s.command(program()).args(args).env("GRANLAW_LANES", "3"))
+        .ends(1, &["GRANLAW_LANES=3 must be 1, 4 or 8"]);
 }
 
 /// A library that spoils LIGGGHTS's answer on its way to the shadow, as a wrong Rust law would differ from it.

@@ -51,7 +51,8 @@ class Batch {
 
   // One pass over all contacts; false where this step must go contact by contact.
   bool run(PairGran *pair, bool tally, bool local) {
-    if (mode().path == Path::contact) return false;
+    // In the shadow of LIGGGHTS's laws, the path is that of the Rust laws beside them.
+    if (mode().path == Path::contact || mode().shadow) return false;
     if (const char *why = obstacle(pair, tally, local)) {
       if (mode().path == Path::batched)
         lmp_->error->all(GRANLAW_HERE, (std::string("the batched path was asked for and cannot be taken: ") + why).c_str());
@@ -66,22 +67,16 @@ class Batch {
  private:
   // What the batched path does not do, in words; NULL if nothing is in its way.
   const char *obstacle(PairGran *pair, bool tally, bool local) const {
-    const LAMMPS_NS::Atom *atom = lmp_->atom;
-    LAMMPS_NS::Modify *modify = lmp_->modify;
     if (chain_->watched()) return "every call is recorded, counted or compared";
     if (!chain_->rust()) return "a law of the chain is LIGGGHTS's own";
     if (!batch_) return "a law of the chain takes one contact at a time";
-    if (!atom->radius || !atom->rmass || atom->shapetype_flag) return "particles are not spheres with masses of their own";
     if (lmp_->neighbor->contactDistanceFactor > 1.0) return "contacts reach beyond the surfaces (contact_distance_factor)";
-    if (!pair->computeflag()) return "forces are only looked at";
+    if (local || !pair->computeflag()) return "a compute looks at each contact (pair/gran/local)";
     if (tally) return "the virial or an energy is wanted in this step";
-    if (pair->cpl() && local) return "compute pair/gran/local wants each contact";
     if (pair->storeContactForces()) return "contact forces are stored";
     if (pair->storeContactForcesStress()) return "contact forces are stored for a stress";
     if (pair->storeSumDelta()) return "a multicontact model changes the radii";
     if (pair->store_sum_normal_force()) return "normal forces are summed";
-    if (modify->n_fixes_style("relax/contacts")) return "fix relax/contacts scales forces";
-    if (modify->n_fixes_style("insert/stream/predefined")) return "fix insert/stream/predefined sets history";
     return nullptr;
   }
 

@@ -9,7 +9,8 @@
 
 extern "C" {
 struct granlaw_shadow;
-granlaw_shadow *granlaw_shadow_new(void);
+// `lanes` as in GRANLAW_LANES; pairs go through the batched pass unless `contact` says one after the other.
+granlaw_status granlaw_shadow_new(const char *lanes, bool contact, granlaw_shadow **out);
 granlaw_status granlaw_shadow_chain(granlaw_shadow *s, const granlaw_recorded_chain *chain, size_t *out);
 // A call with LIGGGHTS's answer.
 granlaw_status granlaw_shadow_call(granlaw_shadow *s, size_t chain, const granlaw_recorded_call *call);
@@ -26,7 +27,7 @@ class Shadow {
  public:
   // The one of this process, or nullptr if none is asked for.
   static Shadow *of(LAMMPS *lmp) {
-    static Shadow *const one = mode().shadow ? new Shadow() : nullptr;
+    static Shadow *const one = mode().shadow ? new Shadow(lmp) : nullptr;
     if (!one) return nullptr;
     if (lmp->universe->nworlds > 1) lmp->error->all(GRANLAW_HERE, "granlaw cannot shadow a run in partitions; leave -partition out");
     one->lmp_ = lmp;
@@ -51,7 +52,11 @@ class Shadow {
   void call(size_t chain, const granlaw_recorded_call &call) { check(granlaw_shadow_call(shadow_, chain, &call)); }
 
  private:
-  Shadow() : shadow_(granlaw_shadow_new()), lmp_(nullptr) { at_the_end(&Shadow::finish, this); }
+  explicit Shadow(LAMMPS *lmp) : shadow_(nullptr), lmp_(lmp) {
+    if (granlaw_shadow_new(mode().lanes.c_str(), mode().path == Path::contact, &shadow_) != GRANLAW_OK)
+      lmp->error->all(GRANLAW_HERE, granlaw_last_error());
+    at_the_end(&Shadow::finish, this);
+  }
 
   // The exit status; below 0 as long as there is no shadow.
   static int &verdict() {

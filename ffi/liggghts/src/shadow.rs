@@ -1,31 +1,53 @@
 //! Holds what the C++ half sees of all chains against the Rust laws. The structs are those of `cpp/recorder.hpp` and
 //! `cpp/shadow.hpp`.
-use crate::recorder::{fill, header, RecordedCall, RecordedChain};
+use crate::recorder::{fill, header, text, RecordedCall, RecordedChain};
 use crate::text::Text;
 use granlaw::shadow::{Session, Shadow};
 use granlaw::trace::Row;
 use granlaw_capi::abi::granlaw_status;
 use granlaw_capi::convert::slice;
 use granlaw_capi::status::{boundary, Failure};
+use granlaw_lanes::Width;
+use lanes::Lanes;
+use std::ffi::c_char;
+
+mod lanes;
 
 /// What this rank has seen; empty once it is packed.
-#[derive(Default)]
 pub struct Shadowing {
     session: Option<Session>,
-    /// The number of history slots of each chain.
-    slots: Vec<usize>,
+    chains: Vec<Chain>,
+    /// How many contacts of a pair style go side by side; `None` for one after the other.
+    width: Option<Width>,
     row: Row,
 }
 
-impl Shadowing {
-    fn session(&mut self) -> Result<&mut Session, Failure> {
-        self.session.as_mut().ok_or(Failure::misuse("the shadow is packed already"))
-    }
+#[derive(Default)]
+struct Chain {
+    slots: usize,
+    /// Where pairs go through the batched pass.
+    lanes: Option<Lanes>,
 }
 
+fn over() -> Failure {
+    Failure::misuse("the shadow is packed already")
+}
+
+/// Pairs go through the batched pass, as they do in a run on the Rust laws, unless `contact` says one after the other.
 #[no_mangle]
-extern "C" fn granlaw_shadow_new() -> *mut Shadowing {
-    Box::into_raw(Box::new(Shadowing { session: Some(Session::default()), ..Shadowing::default() }))
+unsafe extern "C" fn granlaw_shadow_new(
+    lanes: *const c_char,
+    contact: bool,
+    out: *mut *mut Shadowing,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives a C string and a valid pointer.
+        let (lanes, out) = unsafe { (text(lanes), &mut *out) };
+        let width = Width::named(&lanes).map_err(Failure::refused)?;
+        let (session, chains, width) = (Some(Session::default()), Vec::new(), (!contact).then_some(width));
+        *out = Box::into_raw(Box::new(Shadowing { session, chains, width, row: Row::default() }));
+        Ok(())
+    })
 }
 
 #[no_mangle]
@@ -37,10 +59,19 @@ unsafe extern "C" fn granlaw_shadow_chain(
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (s, header, out) = unsafe { (&mut *s, header(&*c)?, &mut *out) };
-        let slots = header.slots.len();
-        *out = s.session()?.chain(header);
-        s.slots.resize(s.slots.len().max(*out + 1), 0);
-        s.slots[*out] = slots;
+        s.flush()?;
+        let (slots, width) = (header.slots.len(), s.width.filter(|_| header.who == "pair"));
+        let lanes = match width {
+            Some(w) => Lanes::new(&header, w).map_err(|e| Failure::refused(e.to_string()))?,
+            None => None,
+        };
+        let session = s.session.as_mut().ok_or_else(over)?;
+        *out = session.chain(header);
+        if let (Some(w), true) = (width, lanes.is_some()) {
+            session.side_by_side(*out, w.name());
+        }
+        s.chains.resize_with(s.chains.len().max(*out + 1), Chain::default);
+        s.chains[*out] = Chain { slots, lanes };
         Ok(())
     })
 }
@@ -54,16 +85,39 @@ unsafe extern "C" fn granlaw_shadow_call(
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (s, c) = unsafe { (&mut *s, &*c) };
+        let own = s.chains.get_mut(chain).ok_or(Failure::misuse("no such chain"))?;
         // SAFETY: as above; before and after have one number per slot.
-        let close = unsafe {
-            fill(c, s.slots[chain], &mut s.row);
-            &(*c.contact).close
+        let (pass, contact) = unsafe {
+            fill(c, own.slots, &mut s.row);
+            (&*c.pass, &*c.contact)
         };
-        let share = if close.is_wall { close.area_ratio } else { 1.0 };
-        let session = s.session.as_mut().ok_or(Failure::misuse("the shadow is packed already"))?;
-        session.call(chain, &s.row, share);
+        let session = s.session.as_mut().ok_or_else(over)?;
+        let close = &contact.close;
+        match &mut own.lanes {
+            // As in a run on the Rust laws, queries go one after the other.
+            Some(lanes) if s.row.touch && close.computeflag != 0 && session.compares(chain) => {
+                // SAFETY: i and j are places in LIGGGHTS's arrays.
+                let mask = |k: i32| if pass.frozen == 0 { 0 } else { unsafe { *pass.mask.add(k as usize) } };
+                let (mass, mask) = ([contact.mi, contact.mj], [mask(close.i), mask(close.j)]);
+                lanes.push(session, chain, &s.row, mass, mask, pass.frozen);
+            }
+            _ => session.call(chain, &s.row, if close.is_wall { close.area_ratio } else { 1.0 }),
+        }
         Ok(())
     })
+}
+
+impl Shadowing {
+    /// What still waits for its pass.
+    fn flush(&mut self) -> Result<(), Failure> {
+        let session = self.session.as_mut().ok_or_else(over)?;
+        for (at, chain) in self.chains.iter_mut().enumerate() {
+            if let Some(lanes) = &mut chain.lanes {
+                lanes.flush(session, at);
+            }
+        }
+        Ok(())
+    }
 }
 
 #[no_mangle]
@@ -71,7 +125,8 @@ unsafe extern "C" fn granlaw_shadow_pack(s: *mut Shadowing, out: *mut Text) -> g
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (s, out) = unsafe { (&mut *s, &mut *out) };
-        let session = s.session.take().ok_or(Failure::misuse("the shadow is packed already"))?;
+        s.flush()?;
+        let session = s.session.take().ok_or_else(over)?;
         *out = Text::json(&session.finish())?;
         Ok(())
     })
