@@ -191,6 +191,24 @@ fn a_difference_is_held_against_what_the_laws_add_up() {
 }
 
 #[test]
+fn no_difference_is_lost_to_its_scale() {
+    // Too small for the quotient, too large for the length of a vector, and without any scale.
+    let faults: [fn(&mut Row); 3] = [
+        |r| r.after[0] = f64::from_bits(r.after[0].to_bits() + 1),
+        |r| r.force_i = Vector3::repeat(1e200),
+        |r| r.torque_i.x = 5e-324,
+    ];
+    for fault in faults {
+        let s = shadow(|k, row| {
+            if k == 0 {
+                fault(row)
+            }
+        });
+        assert_eq!((s.chains[0].differing, s.verdict(0.0)), (1, Verdict::Differs));
+    }
+}
+
+#[test]
 fn the_worst_of_all_ranks_is_kept_and_counts_are_summed() {
     let mild = shadow(|k, row| {
         if k == 3 {

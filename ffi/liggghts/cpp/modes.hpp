@@ -27,6 +27,17 @@ struct Mode {
   std::string trouble;  // what is wrong with the environment
 };
 
+inline void read_shadow(Mode &m, const std::string &shadow, const std::string &tolerance, const std::string &laws) {
+  m.shadow = shadow == "on";
+  if (!shadow.empty() && shadow != "on" && shadow != "off") m.trouble = "GRANLAW_SHADOW=" + shadow + " must be on or off";
+  if (m.shadow && !laws.empty() && laws != "stock")
+    m.trouble = "GRANLAW_SHADOW=on runs LIGGGHTS's own laws, with the Rust laws beside them; leave GRANLAW_LAWS=" + laws + " out";
+  if (tolerance.empty()) return;
+  char *end = nullptr;
+  m.tolerance = strtod(tolerance.c_str(), &end);
+  if (*end || !(m.tolerance >= 0.0)) m.trouble = "GRANLAW_TOLERANCE=" + tolerance + " must be a number, 0 or above";
+}
+
 inline const Mode &mode() {
   static const Mode m = [] {
     Mode m;
@@ -45,17 +56,7 @@ inline const Mode &mode() {
     m.lanes = get("GRANLAW_LANES");
     m.record = get("GRANLAW_RECORD");
     m.probe = get("GRANLAW_PROBE");
-    const std::string shadow = get("GRANLAW_SHADOW");
-    m.shadow = shadow == "on";
-    if (!shadow.empty() && shadow != "on" && shadow != "off") m.trouble = "GRANLAW_SHADOW=" + shadow + " must be on or off";
-    if (m.shadow && !laws.empty() && laws != "stock")
-      m.trouble = "GRANLAW_SHADOW=on runs LIGGGHTS's own laws, with the Rust laws beside them; leave GRANLAW_LAWS=" + laws + " out";
-    const std::string tolerance = get("GRANLAW_TOLERANCE");
-    if (!tolerance.empty()) {
-      char *end = nullptr;
-      m.tolerance = strtod(tolerance.c_str(), &end);
-      if (*end || !(m.tolerance >= 0.0)) m.trouble = "GRANLAW_TOLERANCE=" + tolerance + " must be a number, 0 or above";
-    }
+    read_shadow(m, get("GRANLAW_SHADOW"), get("GRANLAW_TOLERANCE"), laws);
     // LIGGGHTS's own laws can be watched only in our chain.
     if (laws.empty() && (!m.record.empty() || !m.probe.empty() || m.shadow)) m.laws = Laws::stock;
     m.deck = get("GRANLAW_DECK");

@@ -1,4 +1,5 @@
-// Sees every call of a chain: writes it down, counts it, or holds it against the Rust laws, when that is asked for. SPDX-License-Identifier: GPL-2.0-or-later
+// Sees every call of a chain: writes it down, counts it, or holds it against the Rust laws, when that is asked for.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef GRANLAW_WATCH_HPP
 #define GRANLAW_WATCH_HPP
 
@@ -21,7 +22,8 @@ class Watch {
  public:
   Watch(LAMMPS *lmp, IContactHistorySetup *parent, bool is_wall)
       : lmp_(lmp), given_(lmp), pair_(is_wall ? nullptr : dynamic_cast<PairGran *>(parent)), recording_(!mode().record.empty()),
-        probe_(Probe::of(lmp)), shadow_(Shadow::of(lmp)), on_(recording_ || probe_ || shadow_), who_("pair"), recorder_(nullptr), begun_(false), n_(0) {
+        probe_(Probe::of(lmp)), shadow_(Shadow::of(lmp)), on_(recording_ || probe_ || shadow_), who_("pair"),
+        recorder_(nullptr), begun_(false), n_(0) {
     if (FixWallGran *wall = is_wall ? dynamic_cast<FixWallGran *>(parent) : nullptr) who_ = std::string("wall ") + wall->id;
   }
   Watch(const Watch &) = delete;
