@@ -16,6 +16,8 @@ pub struct Deck {
     pub title: String,
     /// MPI ranks to run it on.
     pub ranks: usize,
+    /// Values for variables of the deck, by name, as LIGGGHTS's option -var gives them.
+    pub variables: Vec<(String, String)>,
     /// The deck of the same folder that writes the restart file with which this one begins.
     pub after: Option<After>,
     /// Every how many steps contact calls are recorded.

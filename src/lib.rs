@@ -4,11 +4,12 @@
 //! written in, [`chain`] runs the chosen laws over one contact, [`deck`] reads what a LIGGGHTS input asks to be checked,
 //! [`liggghts`] runs it, [`trace`] keeps what LIGGGHTS did, [`replay`] does that again with the laws here, [`pair`] moves
 //! two bodies on its own, [`probe`] counts what the contacts of a scene do, [`shadow`] holds every call of a run against
-//! LIGGGHTS's own laws, [`compare`] says where two answers differ, [`verify`] puts all that together, [`report`] writes what
-//! was found, [`near`] guesses what a misspelt word meant.
+//! LIGGGHTS's own laws, [`compare`] says where two answers differ, [`verify`] puts all that together, [`bench`] says what it
+//! costs, [`report`] writes what was found, [`near`] guesses what a misspelt word meant.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod bench;
 pub mod chain;
 pub mod compare;
 pub mod deck;

@@ -11,9 +11,9 @@ use std::time::{Duration, Instant, SystemTime};
 use tempfile::TempDir;
 
 mod error;
-mod host;
+pub(crate) mod host;
 mod plugin;
-mod process;
+pub(crate) mod process;
 
 pub use error::RunError;
 pub use host::Host;
@@ -60,6 +60,8 @@ pub struct Preload<'a> {
     pub deck: Option<String>,
     /// How the pair style goes through its contacts; without it, batched where possible.
     pub route: Option<Route>,
+    /// How many contacts go side by side; without it, as many as the processor has registers for.
+    pub lanes: Option<u32>,
 }
 
 impl Preload<'_> {
@@ -78,6 +80,7 @@ impl Preload<'_> {
         }
         let route = self.route.map(|r| if r == Route::Batched { "batched" } else { "contact" });
         env.extend(route.map(|r| ("GRANLAW_PATH", r.into())));
+        env.extend(self.lanes.map(|n| ("GRANLAW_LANES", n.to_string())));
         env.extend(self.probe.iter().map(|p| ("GRANLAW_PROBE", p.display().to_string())));
         if let Some(tolerance) = self.shadow {
             env.push(("GRANLAW_SHADOW", "on".into()));
@@ -106,6 +109,9 @@ pub struct Ran {
     /// The warnings that LIGGGHTS printed.
     pub warnings: Vec<String>,
 }
+
+/// The file in which a run's own words stand.
+pub(crate) const LOG: &str = "log.liggghts";
 
 const TRACE: &str = "calls.trace";
 
@@ -154,6 +160,9 @@ impl Folder {
         let env = preload.map(Preload::env).unwrap_or_default();
         let mut command = host.command(deck.ranks, &env)?;
         command.args(["-in", &deck.file()]).current_dir(self.path());
+        for (name, value) in &deck.variables {
+            command.args(["-var", name, value]);
+        }
         if deck.ranks == 1 {
             host::alone(&mut command);
         }
@@ -162,7 +171,7 @@ impl Folder {
         command.stdin(Stdio::null()).stdout(out?).stderr(err?);
         let begun = Instant::now();
         let end = process::run(&mut command, limit).map_err(RunError::io("start", &host.program))?;
-        let said = error::Said::read(&self.path().join("log.liggghts"), &outputs);
+        let said = error::Said::read(&self.path().join(LOG), &outputs);
         said.judge(deck, end, limit)?;
         let after = listed(&self.path())?;
         let new = |path: &PathBuf| after.get(path) != before.get(path);

@@ -1,4 +1,6 @@
 //! The command line as people use it: what it says, how it ends, what it leaves behind.
+#[path = "cli/bench.rs"]
+mod bench;
 #[path = "built/mod.rs"]
 mod built;
 #[path = "cli/help.rs"]

@@ -46,6 +46,7 @@ pub(super) fn deck(path: &Path, text: &str) -> Result<Deck, DeckError> {
         path: path.to_path_buf(),
         title: draft.title.unwrap_or(file),
         ranks: draft.ranks.unwrap_or(1),
+        variables: Vec::new(),
         after: draft.after,
         every: draft.every.unwrap_or(1),
         checks: draft.checks,

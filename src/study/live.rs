@@ -149,6 +149,7 @@ impl Bench {
             shadow: None,
             deck: None,
             route: None,
+            lanes: None,
         };
         let preload = (who != Who::Stock).then_some(&preload);
         let ran = folder.run(&self.host, &deck, preload, self.limit)?;

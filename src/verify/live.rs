@@ -104,6 +104,7 @@ impl Trial<'_> {
             shadow: None,
             deck: Some(deck.file()),
             route: None,
+            lanes: None,
         };
         let folder = Folder::new(self.deck)?;
         if let Some(before) = &self.first {

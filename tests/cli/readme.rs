@@ -40,6 +40,7 @@ fn the_commands_of_use_it_work_as_written() {
     s.file("deck.in", &deck("oblique_stick.in", &[]));
     s.file("liggghts_inputs/a.in", &deck("stiffness_ratio_1000.in", &[]));
     s.file("liggghts_inputs/b.in", &deck("stiffness_ratio_50.in", &[]));
+    s.file("benchmarks/a.in", &deck("oblique_stick.in", &[]));
     let lines = block("Use it", "sh");
     let ours: Vec<_> =
         lines.iter().filter(|l| !l.starts_with("cargo ") && !l.starts_with("export ")).collect();
@@ -48,6 +49,7 @@ fn the_commands_of_use_it_work_as_written() {
         shell(&s, line).ends(0, &[]);
     }
     assert!(s.read("report/report.md").contains("deck"));
+    assert!(s.path("granlaw-bench/index.html").exists());
     assert!(s.path("trace.csv").exists() && s.path("granlaw-report/index.html").exists());
 }
 

@@ -6,12 +6,11 @@ use granlaw::chain::Marks;
 use granlaw::lane::{dot, Lane};
 use granlaw::law::{Stage, Surface};
 use nalgebra::Vector3;
+use std::ops::Range;
 use std::ptr::null_mut;
 
 /// Contacts in a chunk at most; whole blocks of any width.
 pub(crate) const CHUNK: usize = 64;
-/// How far ahead of the neighbour that is looked at its history is asked for, in numbers; about a chunk.
-const AHEAD: usize = 256;
 
 /// As many contacts as lanes are wide.
 #[derive(Clone)]
@@ -77,34 +76,69 @@ impl<L: Unit> Chunk<L> {
     }
 
     /// Take up the neighbours of a row that touch, from number `from` on, as many as there is room for; the answer is the
-    /// number of the first one that was not looked at. `dnum` is the length of a row of history.
+    /// number of the first one that was not looked at. `dnum` is the length of a row of history, `radius` that of all
+    /// particles where they are alike.
     #[inline(always)]
-    pub fn take(&mut self, p: &Particles<'_>, row: &Row, from: usize, dnum: usize) -> usize {
+    pub fn take(
+        &mut self,
+        p: &Particles<'_>,
+        row: &Row,
+        from: usize,
+        dnum: usize,
+        radius: Option<f64>,
+    ) -> usize {
         let to = row.neighbours.len().min(from + CHUNK - self.n);
+        let begin = self.n;
+        match radius {
+            Some(r) => self.sift(
+                p,
+                row,
+                from..to,
+                #[inline(always)]
+                |_| r,
+            ),
+            // SAFETY: see `sift`.
+            None => self.sift(
+                p,
+                row,
+                from..to,
+                #[inline(always)]
+                |k| unsafe { *p.radius.get_unchecked(k) },
+            ),
+        }
         let (history, dnum) =
             if row.history.is_null() { (self.nowhere.as_mut_ptr(), 0) } else { (row.history, dnum) };
         let (flags, each) = if row.flags.is_null() { (&raw mut *self.no_flags, 0) } else { (row.flags, 1) };
+        for k in begin..self.n {
+            let at = self.slot[k] as usize;
+            self.i[k] = row.i;
+            self.slot[k] += row.slot;
+            self.history[k] = history.wrapping_add(dnum * at);
+            self.flags[k] = flags.wrapping_add(each * at);
+            prefetch(self.history[k]);
+        }
+        to
+    }
+
+    /// Note which of these neighbours of a row touch, by index and by number within the row.
+    #[inline(always)]
+    fn sift(&mut self, p: &Particles<'_>, row: &Row, these: Range<usize>, radius: impl Fn(usize) -> f64) {
         let (mut n, i) = (self.n, row.i as usize);
         // SAFETY: i and all j are indices of particles, see [`Chunk`]; n stays below CHUNK, as at most one contact
         // comes of each neighbour.
         unsafe {
-            let (xi, ri) = (*p.x.get_unchecked(i), *p.radius.get_unchecked(i));
-            for k in from..to {
+            let (xi, ri) = (*p.x.get_unchecked(i), radius(i));
+            for k in these {
                 let j = row.neighbours.get_unchecked(k) & NEIGHBOUR;
-                let (xj, rj) = (p.x.get_unchecked(j as usize), *p.radius.get_unchecked(j as usize));
+                let (xj, rj) = (p.x.get_unchecked(j as usize), radius(j as usize));
                 let (dx, dy, dz) = (xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]);
                 let reach = ri + rj;
-                prefetch(history.wrapping_add(dnum * k + AHEAD));
-                *self.i.get_unchecked_mut(n) = row.i;
                 *self.j.get_unchecked_mut(n) = j;
-                *self.slot.get_unchecked_mut(n) = row.slot + k as u32;
-                *self.history.get_unchecked_mut(n) = history.wrapping_add(dnum * k);
-                *self.flags.get_unchecked_mut(n) = flags.wrapping_add(each * k);
+                *self.slot.get_unchecked_mut(n) = k as u32;
                 n += usize::from(dx * dx + dy * dy + dz * dz < reach * reach);
             }
         }
         self.n = n;
-        to
     }
 
     /// Fill the lanes beyond the last contact.

@@ -30,6 +30,8 @@ pub trait Batch {
     unsafe fn pass(&mut self, a: &Arrays) -> Result<(), Trouble>;
     /// How many contacts were evaluated so far.
     fn contacts(&self) -> u64;
+    /// How many neighbours the lists hold.
+    fn neighbours(&self) -> usize;
     /// Bytes in use beside LIGGGHTS's own.
     fn bytes(&self) -> usize;
 }

@@ -48,6 +48,8 @@ pub(crate) struct Pass<L: Unit> {
     seen: Seen,
     /// Which neighbours have fits; empty where all contacts are alike.
     fitted: Vec<bool>,
+    /// The radius of all particles, where they are alike.
+    radius: Option<f64>,
     chunk: Chunk<L>,
     contacts: u64,
 }
@@ -71,6 +73,7 @@ impl<L: Unit + 'static> Pass<L> {
             slots: 0,
             seen: Seen::default(),
             fitted: Vec::new(),
+            radius: None,
             chunk: Chunk::new(row),
             contacts: 0,
         })))
@@ -102,7 +105,9 @@ impl<L: Unit + 'static> Pass<L> {
 
     fn forget(&mut self) {
         self.fitted.clear();
-        match self.seen.alike() {
+        let alike = self.seen.alike();
+        self.radius = alike.map(|(size, _)| size.radi);
+        match alike {
             Some((size, kind)) => {
                 let pair = kind * self.types + kind;
                 self.links.iter_mut().for_each(|l| l.kernel.fit_all(pair, &size));
@@ -120,7 +125,7 @@ impl<L: Unit + 'static> Pass<L> {
         for r in 0..self.rows.len() {
             let mut from = 0;
             while from < self.rows[r].neighbours.len() {
-                from = self.chunk.take(p, &self.rows[r], from, a.row);
+                from = self.chunk.take(p, &self.rows[r], from, a.row, self.radius);
                 if self.chunk.is_full() {
                     self.evaluate(a, p)?;
                 }
@@ -189,6 +194,10 @@ impl<L: Unit + 'static> Batch for Pass<L> {
 
     fn contacts(&self) -> u64 {
         self.contacts
+    }
+
+    fn neighbours(&self) -> usize {
+        self.slots
     }
 
     fn bytes(&self) -> usize {

@@ -24,10 +24,15 @@ struct granlaw_arrays {
   int32_t frozen;
   bool update, rebuilt;
 };
+// What a chain did so far, and what it needs.
+struct granlaw_account {
+  uint64_t passes, contacts, neighbours, bytes;
+};
 // *out stays NULL where a law of the chain has no lanes.
 granlaw_status granlaw_batch_new(const granlaw_setup *setup, const char *lanes, granlaw_batch **out);
 void granlaw_batch_free(granlaw_batch *batch);
 const char *granlaw_batch_name(const granlaw_batch *batch);
+granlaw_account granlaw_batch_account(const granlaw_batch *batch);
 granlaw_status granlaw_batch_pass(granlaw_batch *batch, const granlaw_arrays *arrays);
 }
 
@@ -35,14 +40,13 @@ namespace granlaw {
 
 class Batch {
  public:
-  Batch(LAMMPS *lmp, Chain *chain) : lmp_(lmp), chain_(chain), batch_(nullptr), list_(nullptr), built_(-1) {}
+  Batch(LAMMPS *lmp, Chain *chain) : lmp_(lmp), chain_(chain), batch_(nullptr), list_(nullptr), built_(-1), last_(nullptr) {}
   Batch(const Batch &) = delete;
-  ~Batch() { granlaw_batch_free(batch_); }
+  ~Batch() { drop(); }
 
   // Once per run, after the chain got its properties.
   void init() {
-    granlaw_batch_free(batch_);
-    batch_ = nullptr;
+    drop();
     list_ = nullptr;
     if (mode().path == Path::contact || !chain_->rust()) return;
     const granlaw_setup setup = chain_->rust()->setup();
@@ -56,10 +60,14 @@ class Batch {
     if (const char *why = obstacle(pair, tally, local)) {
       if (mode().path == Path::batched)
         lmp_->error->all(GRANLAW_HERE, (std::string("the batched path was asked for and cannot be taken: ") + why).c_str());
-      say(std::string("contact by contact at step ") + std::to_string(lmp_->update->ntimestep) + ", as " + why + " (said once)", why);
+      if (why != last_)
+        say(std::string("contact by contact at step ") + std::to_string(lmp_->update->ntimestep) + ", as " + why + " (said once)", why);
+      last_ = why;
       return false;
     }
-    say(std::string("batched path, ") + granlaw_batch_name(batch_), "batched");
+    static const char *const batched = "batched";
+    if (last_ != batched) say(std::string("batched path, ") + granlaw_batch_name(batch_), batched);
+    last_ = batched;
     pass(pair);
     return true;
   }
@@ -105,8 +113,27 @@ class Batch {
     if (granlaw_batch_pass(batch_, &a) != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
 
+  // Runs on all ranks alike. Who asks for this path by name is told what it did; `granlaw bench` reads it.
+  void drop() {
+    if (batch_ && mode().path == Path::batched) {
+      granlaw_account mine = granlaw_batch_account(batch_), all = mine;
+      static_assert(sizeof(granlaw_account) == 4 * sizeof(uint64_t), "summed as four numbers");
+      MPI_Reduce(&mine, &all, 4, MPI_UINT64_T, MPI_SUM, 0, lmp_->world);
+      print("batched path ends: " + std::to_string(mine.passes) + " steps, " + std::to_string(all.contacts) + " contacts, " +
+            std::to_string(all.neighbours) + " neighbours, " + std::to_string(all.bytes) + " bytes");
+    }
+    granlaw_batch_free(batch_);
+    batch_ = nullptr;
+  }
+
   void say(const std::string &text, const char *what) {
-    if (!said_.insert(what).second || lmp_->comm->me != 0) return;
+    if (said_.insert(what).second) print(text);
+  }
+
+  void print(const std::string &text) const {
+    int me = 0;
+    MPI_Comm_rank(lmp_->world, &me);
+    if (me != 0) return;
     for (FILE *out : {lmp_->screen, lmp_->logfile})
       if (out) fprintf(out, "granlaw: %s\n", text.c_str());
   }
@@ -116,6 +143,8 @@ class Batch {
   granlaw_batch *batch_;
   const LAMMPS_NS::NeighList *list_;
   LAMMPS_NS::bigint built_;
+  // What the last step was said to do: most steps are like the one before.
+  const char *last_;
   std::set<std::string> said_;
 };
 

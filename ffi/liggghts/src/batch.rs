@@ -11,6 +11,17 @@ pub struct Batched {
     batch: Box<dyn Batch>,
     laws: Vec<&'static Meta>,
     name: CString,
+    passes: u64,
+}
+
+/// What a chain did so far, and what it needs.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Account {
+    passes: u64,
+    contacts: u64,
+    neighbours: u64,
+    bytes: u64,
 }
 
 /// # Safety
@@ -34,7 +45,7 @@ pub unsafe extern "C" fn granlaw_batch_new(
         let made = batch(&setups, &offsets, width).map_err(|e| Failure::refused(e.to_string()))?;
         if let Some(batch) = made {
             let name = CString::new(width.name()).expect("a name without NUL");
-            *out = Box::into_raw(Box::new(Batched { batch, laws, name }));
+            *out = Box::into_raw(Box::new(Batched { batch, laws, name, passes: 0 }));
         }
         Ok(())
     })
@@ -62,12 +73,23 @@ pub unsafe extern "C" fn granlaw_batch_name(b: *const Batched) -> *const c_char 
 }
 
 /// # Safety
+/// `b` came from `granlaw_batch_new`.
+#[no_mangle]
+pub unsafe extern "C" fn granlaw_batch_account(b: *const Batched) -> Account {
+    // SAFETY: as the caller promises.
+    let b = unsafe { &*b };
+    let (neighbours, bytes) = (b.batch.neighbours() as u64, b.batch.bytes() as u64);
+    Account { passes: b.passes, contacts: b.batch.contacts(), neighbours, bytes }
+}
+
+/// # Safety
 /// `b` came from `granlaw_batch_new`; the arrays are LIGGGHTS's own and have the lengths that [`Arrays`] states.
 #[no_mangle]
 pub unsafe extern "C" fn granlaw_batch_pass(b: *mut Batched, arrays: *const Arrays) -> granlaw_status {
     boundary(|| {
         // SAFETY: as the caller promises.
         let (b, a) = unsafe { (&mut *b, &*arrays) };
+        b.passes += 1;
         // SAFETY: as the caller promises.
         match unsafe { b.batch.pass(a) } {
             Ok(()) => Ok(()),

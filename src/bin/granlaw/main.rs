@@ -3,6 +3,7 @@ use clap::{Parser, Subcommand};
 use std::io::Write;
 use std::process::ExitCode;
 
+mod bench;
 mod laws;
 mod replay;
 mod run;
@@ -32,6 +33,7 @@ enum Command {
     Verify(verify::Args),
     Speed(speed::Args),
     Stability(stability::Args),
+    Bench(bench::Args),
 }
 
 fn main() -> ExitCode {
@@ -42,6 +44,7 @@ fn main() -> ExitCode {
         Command::Verify(args) => verify::run(&args),
         Command::Speed(args) => speed::run(&args),
         Command::Stability(args) => stability::run(&args),
+        Command::Bench(args) => bench::run(&args),
     };
     done.unwrap_or_else(|error| {
         eprintln!("granlaw: {}", told(&error));

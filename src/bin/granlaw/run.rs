@@ -104,6 +104,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         shadow: args.shadow.then_some(args.tolerance),
         deck,
         route,
+        lanes: None,
     };
     let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
     command.args(&args.liggghts);

@@ -50,7 +50,7 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
     parts.filter(|(k, n)| (1..=*n).contains(k)).ok_or("must be K/N with 1 <= K <= N, for instance 1/4".into())
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+pub fn seconds(text: &str) -> Result<f64, String> {
     let limit = text.parse().ok().filter(|s: &f64| *s > 0.0 && *s < 1e9);
     limit.ok_or("must be a number of seconds above 0".into())
 }

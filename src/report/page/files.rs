@@ -1,5 +1,5 @@
 //! The files of a page: drawings, numbers and the typed document.
-use super::{chart, heat, html, Cell, Chart, Item, Map, Page, Table};
+use super::{bars, chart, heat, html, Bars, Cell, Chart, Item, Map, Page, Table};
 use crate::report::folder::{place, save, Kind};
 use crate::report::html::STYLE;
 use crate::report::{summary, ReportError};
@@ -48,6 +48,7 @@ fn files(item: &Item, dir: &Path) -> Result<(), ReportError> {
         Item::Table(t) => (&t.name, None, table(t)),
         Item::Chart(c) => (&c.name, Some(chart::svg(c)), marks(c)),
         Item::Map(m) => (&m.name, Some(heat::svg(m)), cells(m)),
+        Item::Bars(b) => (&b.name, Some(bars::svg(b)), sizes(b)),
     };
     let name = summary::safe(name);
     if let Some(svg) = svg {
@@ -101,4 +102,14 @@ fn cells(m: &Map) -> Vec<Vec<String>> {
         place.into_iter().chain([m.classes[*class].clone()]).chain(values).collect()
     };
     std::iter::once(head).chain(m.cells.iter().enumerate().map(row)).collect()
+}
+
+fn sizes(b: &Bars) -> Vec<Vec<String>> {
+    let head = ["group", "series", &b.label, "low", "high"].map(String::from).to_vec();
+    let row = |name: &str, series: usize, s: &super::Spread| {
+        let numbers = [s.at, s.low, s.high].map(|x| x.to_string());
+        [name.to_string(), b.series[series].clone()].into_iter().chain(numbers).collect()
+    };
+    let rows = b.groups.iter().flat_map(|g| g.bars.iter().map(move |(k, s)| row(&g.name, *k, s)));
+    std::iter::once(head).chain(rows).collect()
 }

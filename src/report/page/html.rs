@@ -1,5 +1,5 @@
 //! `index.html` of a page: it needs neither network nor script to be read.
-use super::{chart, heat, Cell, Item, Page, Section, Table};
+use super::{bars, chart, heat, Cell, Item, Page, Section, Table};
 use crate::report::html::{about, badge, class, error, limit, SCRIPT, STYLE};
 use crate::report::summary;
 use crate::report::text::{count, html as esc, plain};
@@ -89,6 +89,7 @@ fn item(item: &Item) -> String {
         Item::Table(t) => table(t),
         Item::Chart(c) => figure(&c.name, &c.caption, &chart::svg(c)),
         Item::Map(m) => figure(&m.name, &m.caption, &heat::svg(m)),
+        Item::Bars(b) => figure(&b.name, &b.caption, &bars::svg(b)),
     }
 }
 

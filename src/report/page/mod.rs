@@ -1,7 +1,8 @@
-//! A document of sections with text, tables, charts and maps: what the studies return. It knows no physics.
+//! A document of sections with text, tables, charts, maps and bars: what the studies return. It knows no physics.
 //!
 //! [`write_page`] makes the folder: `index.html` for people, `figures/*.svg`, `csv/*.csv` with the numbers of every table,
 //! chart and map, and `report.json` for programs.
+mod bars;
 mod chart;
 mod files;
 mod heat;
@@ -48,6 +49,8 @@ pub enum Item {
     Chart(Chart),
     /// A field of outcomes.
     Map(Map),
+    /// Numbers side by side.
+    Bars(Bars),
 }
 
 /// Rows and columns.
@@ -218,4 +221,28 @@ pub struct Spot {
     pub agrees: bool,
     /// What was found, for people.
     pub label: String,
+}
+
+/// Numbers of several series, group by group.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Bars {
+    /// Names its files; unique in the page.
+    pub name: String,
+    /// One line for people.
+    pub caption: String,
+    /// What is shown, with its unit.
+    pub label: String,
+    /// The series, in the order of the legend.
+    pub series: Vec<String>,
+    /// The groups, from the top.
+    pub groups: Vec<Group>,
+}
+
+/// The bars that stand together.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Group {
+    /// What they share.
+    pub name: String,
+    /// The series of each, an index, and its number.
+    pub bars: Vec<(usize, Spread)>,
 }
