@@ -99,7 +99,7 @@ unsafe extern "C" fn granlaw_shadow_call(
                 // SAFETY: i and j are places in LIGGGHTS's arrays.
                 let mask = |k: i32| if pass.frozen == 0 { 0 } else { unsafe { *pass.mask.add(k as usize) } };
                 let (mass, mask) = ([contact.mi, contact.mj], [mask(close.i), mask(close.j)]);
-                lanes.push(session, chain, &s.row, mass, mask, pass.frozen);
+                lanes.push(session, chain, &mut s.row, mass, mask, pass.frozen);
             }
             _ => session.call(chain, &s.row, if close.is_wall { close.area_ratio } else { 1.0 }),
         }

@@ -69,12 +69,13 @@ impl Lanes {
         }))
     }
 
-    /// A call of two particles whose surfaces overlap, with their masses and group masks.
+    /// A call of two particles whose surfaces overlap, with their masses and group masks. The row is taken in exchange for
+    /// another.
     pub fn push(
         &mut self,
         session: &mut Session,
         at: usize,
-        row: &Row,
+        row: &mut Row,
         mass: [f64; 2],
         mask: [i32; 2],
         frozen: i32,
@@ -92,7 +93,7 @@ impl Lanes {
             (self.radius[p], self.mass[p], self.mask[p]) = (body.radius, mass[k], mask[k]);
             self.kind[p] = [row.types.0, row.types.1][k] as i32 + 1;
         }
-        self.rows[n].clone_from(row);
+        std::mem::swap(&mut self.rows[n], row);
         self.n += 1;
     }
 
