@@ -10,6 +10,7 @@
 #![warn(missing_docs)]
 
 pub mod bench;
+pub mod advise;
 pub mod chain;
 pub mod compare;
 pub mod deck;

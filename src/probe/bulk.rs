@@ -33,6 +33,10 @@ pub struct Sample {
     pub rotational: f64,
     /// Sum of mass times position \[kg m\]; over the mass it is the centre.
     pub moment: [f64; 3],
+    /// The lowest coordinates that any particle reaches \[m\]; 0 where there is none.
+    pub low: [f64; 3],
+    /// The highest \[m\].
+    pub high: [f64; 3],
     /// Contact calls between particles since the first step: over the steps, the number of contacts.
     pub contacts: u64,
     /// Momentum that each wall fix has handed to the particles since the first step \[N s\].
@@ -77,6 +81,34 @@ impl Clock {
     }
 }
 
+impl Sample {
+    /// Widens the extent to that of another one.
+    fn meet(&mut self, other: &Sample) {
+        if other.particles == 0 {
+            return;
+        }
+        let empty = self.particles == 0;
+        for d in 0..3 {
+            self.low[d] = if empty { other.low[d] } else { self.low[d].min(other.low[d]) };
+            self.high[d] = if empty { other.high[d] } else { self.high[d].max(other.high[d]) };
+        }
+    }
+
+    /// Counts a particle of mass m \[kg\] and radius r \[m\].
+    pub(super) fn particle(&mut self, (m, r): (f64, f64), x: &[f64], v: &[f64], omega: &[f64]) {
+        let square = |v: &[f64]| v.iter().map(|c| c * c).sum::<f64>();
+        for (d, x) in x.iter().enumerate() {
+            self.moment[d] += m * x;
+            self.low[d] = if self.particles == 0 { x - r } else { self.low[d].min(x - r) };
+            self.high[d] = if self.particles == 0 { x + r } else { self.high[d].max(x + r) };
+        }
+        self.particles += 1;
+        self.mass += m;
+        self.kinetic += 0.5 * m * square(v);
+        self.rotational += 0.5 * 0.4 * m * r * r * square(omega);
+    }
+}
+
 impl Bulk {
     pub(super) fn add(&mut self, sample: Sample, clock: &mut Clock) {
         self.samples.push(sample);
@@ -99,6 +131,7 @@ impl Bulk {
             }
         }
         for (a, b) in self.samples.iter_mut().zip(other.samples) {
+            a.meet(&b);
             a.particles += b.particles;
             a.mass += b.mass;
             a.kinetic += b.kinetic;

@@ -67,6 +67,8 @@ pub struct Pressed {
     pub tangential: f64,
     /// How long it was seen \[s\].
     pub time: f64,
+    /// Largest normal stiffness that the laws handed along \[N/m\].
+    pub kn: f64,
 }
 
 /// Contacts that are alike.

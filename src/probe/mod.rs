@@ -39,6 +39,8 @@ pub struct Probe {
     pub format: String,
     /// MPI ranks of the run.
     pub ranks: usize,
+    /// Wall-clock time from the first step to the last, with the probe at work \[s\].
+    pub seconds: f64,
     /// The pair style and each wall fix; once more where a deck changes laws, coefficients or time step.
     pub chains: Vec<Contacts>,
     /// The scene as a whole.
@@ -130,6 +132,37 @@ impl Probe {
             }
         }
         self.bulk.merge(other.bulk);
+        self.seconds = self.seconds.max(other.seconds);
+    }
+
+    /// One chain for the pair style and one for all walls with the same laws, coefficients and time step, which is then
+    /// called `walls A, B`. Of chains that a deck changes on the way, the one with the most calls; none without calls.
+    pub fn principal(&self) -> Vec<Contacts> {
+        let mut busiest: Vec<&Contacts> = Vec::new();
+        for c in self.chains.iter().filter(|c| c.calls > 0) {
+            match busiest.iter_mut().find(|b| b.header.who == c.header.who) {
+                Some(b) if b.calls < c.calls => *b = c,
+                Some(_) => {}
+                None => busiest.push(c),
+            }
+        }
+        let mut all: Vec<Contacts> = Vec::new();
+        for c in busiest {
+            let wall = |h: &Header| h.who != "pair";
+            let same = |a: &Header| *a == Header { who: a.who.clone(), ..c.header.clone() };
+            match all.iter_mut().find(|a| wall(&a.header) && wall(&c.header) && same(&a.header)) {
+                Some(a) => {
+                    let id = c.header.who.trim_start_matches("wall ");
+                    a.header.who = format!(
+                        "walls {}, {id}",
+                        a.header.who.trim_start_matches("walls ").trim_start_matches("wall ")
+                    );
+                    a.merge(c.clone());
+                }
+                None => all.push(c.clone()),
+            }
+        }
+        all
     }
 
     /// Reads a file.

@@ -3,6 +3,7 @@ use super::bulk::{Bulk, Clock, Sample};
 use super::follow::{Follower, FOLLOWED};
 use super::{Probe, FORMAT};
 use crate::trace::Header;
+use std::time::Instant;
 
 /// Collects what a rank sees of a run.
 #[derive(Default)]
@@ -11,6 +12,8 @@ pub struct Session {
     ranks: usize,
     bulk: Bulk,
     clock: Clock,
+    /// When the first step and the latest began.
+    began: Option<[Instant; 2]>,
 }
 
 /// The particles of a rank.
@@ -55,20 +58,17 @@ impl Session {
 
     /// A step begins. The result is whether [`Session::sample`] is to be called.
     pub fn tick(&mut self, step: i64, dt: f64) -> bool {
+        let now = Instant::now();
+        self.began = Some([self.began.map_or(now, |b| b[0]), now]);
         self.clock.tick(step, dt)
     }
 
     /// The particles in a step for which [`Session::tick`] asked.
     pub fn sample(&mut self, step: i64, p: &Particles<'_>) {
         let mut s = Sample { step, time: self.clock.time, ..Sample::default() };
-        s.particles = p.mass.len() as u64;
-        let square = |v: &[f64]| v.iter().map(|c| c * c).sum::<f64>();
-        for (k, (m, r)) in p.mass.iter().zip(p.radius).enumerate() {
+        for (k, size) in p.mass.iter().zip(p.radius).enumerate() {
             let at = 3 * k..3 * k + 3;
-            s.mass += m;
-            s.kinetic += 0.5 * m * square(&p.v[at.clone()]);
-            s.rotational += 0.5 * 0.4 * m * r * r * square(&p.omega[at.clone()]);
-            s.moment.iter_mut().zip(&p.x[at]).for_each(|(sum, x)| *sum += m * x);
+            s.particle((*size.0, *size.1), &p.x[at.clone()], &p.v[at.clone()], &p.omega[at]);
         }
         let pairs = self.followers.iter().filter(|f| f.header().who == "pair");
         s.contacts = pairs.map(Follower::calls).sum();
@@ -84,6 +84,7 @@ impl Session {
     /// The run is over.
     pub fn finish(self) -> Probe {
         let chains = self.followers.into_iter().map(Follower::finish).collect();
-        Probe { format: FORMAT.into(), ranks: self.ranks.max(1), chains, bulk: self.bulk }
+        let seconds = self.began.map_or(0.0, |[first, last]| (last - first).as_secs_f64());
+        Probe { format: FORMAT.into(), ranks: self.ranks.max(1), seconds, chains, bulk: self.bulk }
     }
 }

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 mod bench;
+mod advise;
 mod laws;
 mod replay;
 mod run;
@@ -34,6 +35,7 @@ enum Command {
     Speed(speed::Args),
     Stability(stability::Args),
     Bench(bench::Args),
+    Advise(advise::Args),
 }
 
 fn main() -> ExitCode {
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Command::Speed(args) => speed::run(&args),
         Command::Stability(args) => stability::run(&args),
         Command::Bench(args) => bench::run(&args),
+        Command::Advise(args) => advise::run(&args),
     };
     done.unwrap_or_else(|error| {
         eprintln!("granlaw: {}", told(&error));

@@ -1,0 +1,68 @@
+//! What evaluating a chain costs, measured on the scene's own contacts.
+use super::scene::{Contacts, Scene};
+use crate::law::{Call, Contact, Gap, Stage, Surface};
+use crate::trace::{Header, HeaderError};
+use nalgebra::Vector3;
+use std::time::Instant;
+
+/// Contacts per round, and rounds; the fastest counts, as nothing makes a round faster than it is.
+const CONTACTS: usize = 512;
+const ROUNDS: usize = 25;
+
+/// Time to evaluate the laws on a contact \[ns\], over the chains by their calls. It is measured, and varies by a few
+/// hundredths from time to time.
+///
+/// # Errors
+/// A law refuses.
+pub(super) fn per_contact(scene: &Scene, chains: &[Header]) -> Result<f64, HeaderError> {
+    let (mut sum, mut calls) = (0.0, 0.0);
+    for (k, header) in chains.iter().enumerate() {
+        let mut chain = header.chain()?;
+        let contacts = contacts(scene, k);
+        let mut rows = vec![vec![0.0; chain.row()]; contacts.len()];
+        let round = |rows: &mut Vec<Vec<f64>>, chain: &mut crate::chain::Chain| {
+            let begun = Instant::now();
+            for ((types, x), h) in contacts.iter().zip(rows) {
+                let mut s = Stage::default();
+                chain.touch(*types, x, h, &mut s);
+                std::hint::black_box(&s);
+            }
+            begun.elapsed().as_secs_f64()
+        };
+        let best = (0..ROUNDS).map(|_| round(&mut rows, &mut chain)).fold(f64::INFINITY, f64::min);
+        let weight = scene.calls[k] as f64;
+        sum += weight * best / contacts.len().max(1) as f64 * 1e9;
+        calls += weight;
+    }
+    Ok(sum / calls)
+}
+
+/// Contacts of a chain as they might be met: half way into the impacts that were kept.
+fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
+    let impacts = scene.groups.iter().filter(|g| g.chain == chain).flat_map(|g| match &g.contacts {
+        Contacts::Impacts(all) => all.iter().map(|(i, _)| (i.partners, i.v, i.slip, i.end.overlap)).collect(),
+        Contacts::Loads(all) => all
+            .iter()
+            .map(|(l, _)| (l.partners, [-1e-3, 0.0, 0.0], 1e-3, l.normal / l.kn))
+            .collect::<Vec<_>>(),
+    });
+    let one = |(p, v, slip, overlap): (crate::probe::Partners, [f64; 3], f64, f64)| {
+        let mut gap = Gap { meff: p.meff, ..Gap::default() };
+        gap.call = Call { dt: scene.dt(), step: 1, update: true, counts: false, is_wall: p.wall };
+        (gap.i.radius, gap.j.radius, gap.i.mass, gap.j.mass) =
+            (p.radius[0], p.radius[1], p.mass[0], p.mass[1]);
+        (gap.i.v, gap.delta) = (v.into(), Vector3::x() * (p.radius[0] + p.radius[1] - overlap));
+        gap.rsq = gap.delta.norm_squared();
+        let surface = Surface {
+            deltan: 0.5 * overlap,
+            vn: 0.5 * v[0],
+            en: Vector3::x(),
+            vtr: Vector3::y() * slip,
+            roll: Vector3::new(0.1, 1.0, 1.0) * slip / p.radius[0],
+            cri: p.radius[0],
+            crj: p.radius[1],
+        };
+        ((p.types[0] - 1, p.types[1] - 1), Contact { gap, surface })
+    };
+    impacts.map(one).collect::<Vec<_>>().into_iter().cycle().take(CONTACTS).collect()
+}

@@ -1,0 +1,134 @@
+//! Advice on a scene: how simple a model it bears, and how large a step.
+//!
+//! A [`Probe`] says what the contacts of a scene do. Its examples are lived through again by two bodies alone, with
+//! simpler chains and with larger steps; what stays within the accuracy asked for, in every important class of contacts, is
+//! good enough. Nothing is recommended that was not tried, and everything is told with the measurement behind it.
+mod change;
+mod cost;
+mod fit;
+pub mod held;
+mod ladder;
+mod lines;
+pub mod lived;
+mod rank;
+mod scene;
+mod text;
+
+pub use change::Change;
+pub use ladder::{Rung, Trial};
+pub use lines::Line;
+pub use rank::{rank, Term};
+pub use scene::{Contacts, Errors, Group, Scene, IMPORTANT};
+pub use text::text;
+
+use crate::probe::Probe;
+use crate::trace::HeaderError;
+use serde::Serialize;
+use thiserror::Error;
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Options {
+    /// Largest error of restitution (absolute), contact time (relative) and spin (over the impact speed), of every
+    /// important class; under a load, of overlap (over R*), shear force (over the load) and torque (over load times R*).
+    pub accuracy: f64,
+    /// How many times less closely contact times are asked for; 1 as closely.
+    pub time: f64,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { accuracy: 0.02, time: 1.0 }
+    }
+}
+
+/// What was found.
+#[derive(Debug, Serialize)]
+pub struct Advice {
+    /// File name of the deck.
+    pub deck: String,
+    /// Time step of the run \[s\].
+    pub dt: f64,
+    /// What was asked for.
+    pub options: Options,
+    /// What each term contributes, the largest first.
+    pub terms: Vec<Term>,
+    /// The classes of contacts that were lived through again.
+    pub groups: Vec<Group>,
+    /// Share of impacts, and of the momentum of all contacts, that they stand for.
+    pub covered: (f64, f64),
+    /// The models on trial; the first is the deck as it is.
+    pub ladder: Vec<Rung>,
+    /// The one that is recommended, by its place; `None` if not even the deck's own is good enough in any step.
+    pub chosen: Option<usize>,
+    /// Lines for the deck.
+    pub lines: Vec<Line>,
+    /// Why, in sentences with numbers.
+    pub reasons: Vec<String>,
+}
+
+/// Why there is no advice.
+#[derive(Debug, Error)]
+pub enum AdviceError {
+    /// Nothing touched.
+    #[error("no contact was seen, so there is nothing to advise on; probe a run in which surfaces touch")]
+    NoContact,
+    /// No class of contacts has an example.
+    #[error("{calls} contact calls were seen, but no contact began and ended, or lasted, so that it could be lived through again; probe a longer run")]
+    NoExample {
+        /// How many calls.
+        calls: u64,
+    },
+    /// A law is not ours.
+    #[error("what the contacts do is known, but simpler models cannot be tried: {0}")]
+    Laws(#[from] HeaderError),
+}
+
+/// A model is preferred to one with fewer changes only if it is predicted to take so much less time.
+const WORTH: f64 = 0.95;
+
+/// Advice from a probe.
+///
+/// # Errors
+/// There is nothing to advise on, or the laws are not granlaw's.
+pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), AdviceError> {
+    let calls: u64 = probe.chains.iter().map(|c| c.calls).sum();
+    if calls == 0 {
+        return Err(AdviceError::NoContact);
+    }
+    let scene = Scene::of(probe)?;
+    if scene.groups.is_empty() {
+        return Err(AdviceError::NoExample { calls });
+    }
+    let ladder = ladder::climb(&scene, &options)?;
+    let chosen = choose(&ladder);
+    let lines = chosen.map_or(Vec::new(), |k| lines::lines(&scene, &ladder[k]));
+    let mut advice = Advice {
+        deck: scene.chains[0].deck.clone(),
+        dt: scene.dt(),
+        options,
+        terms: rank(probe),
+        groups: scene.groups.clone(),
+        covered: scene.covered,
+        ladder,
+        chosen,
+        lines,
+        reasons: Vec::new(),
+    };
+    advice.reasons = lines::reasons(&advice);
+    Ok((advice, scene))
+}
+
+/// The cheapest model that holds; of those that cost much the same, the one that changes least.
+fn choose(ladder: &[Rung]) -> Option<usize> {
+    let mut best: Option<usize> = None;
+    let mut order: Vec<_> = (0..ladder.len()).filter(|k| ladder[*k].predicted.is_some()).collect();
+    order.sort_by_key(|k| ladder[*k].changes.len());
+    for k in order {
+        let cost = |k: usize| ladder[k].predicted.unwrap_or(f64::INFINITY);
+        if best.is_none_or(|b| cost(k) < WORTH * cost(b)) {
+            best = Some(k);
+        }
+    }
+    best
+}

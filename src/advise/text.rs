@@ -1,0 +1,104 @@
+//! Advice as text for a terminal.
+use super::ladder::Rung;
+use super::lines::{number, percent};
+use super::{Advice, Term};
+use std::fmt::{self, Write};
+
+/// Terms with a smaller share than this of everything are left to the JSON.
+const SMALL: f64 = 0.005;
+
+/// The whole advice.
+pub fn text(a: &Advice) -> String {
+    let mut t = String::new();
+    tell(&mut t, a).expect("a String takes everything");
+    t
+}
+
+fn tell(t: &mut String, a: &Advice) -> fmt::Result {
+    writeln!(t, "{}: what each term contributes", a.deck)?;
+    terms(t, &a.terms)?;
+    let o = &a.options;
+    writeln!(
+        t,
+        "\nModels, held to {} of the deck's own in very small steps{}",
+        percent(o.accuracy),
+        time(o.time)
+    )?;
+    ladder(t, a)?;
+    writeln!(t, "\nWhy")?;
+    a.reasons.iter().try_for_each(|r| writeln!(t, "  {r}"))?;
+    writeln!(t, "\nAdvice")?;
+    match a.chosen.map(|k| &a.ladder[k]) {
+        None => writeln!(
+            t,
+            "  none: no model that was tried is within the accuracy; ask for less, or try a smaller step"
+        ),
+        Some(_) if a.lines.is_empty() => writeln!(t, "  keep the deck as it is"),
+        Some(r) => {
+            writeln!(t, "  {}: {}", r.name(), gain(r))?;
+            a.lines.iter().try_for_each(|l| writeln!(t, "  {}\n      {}", l.text, l.place))
+        }
+    }
+}
+
+fn time(many: f64) -> String {
+    if many == 1.0 {
+        String::new()
+    } else {
+        format!(" (contact times to {many} times that)")
+    }
+}
+
+/// What a rung is predicted to gain.
+pub(super) fn gain(r: &Rung) -> String {
+    r.predicted.map_or(String::new(), |p| format!("predicted to take {} of the time", percent(p)))
+}
+
+fn terms(t: &mut String, terms: &[Term]) -> fmt::Result {
+    writeln!(t, "  {:<6} {:<34} {:>11} {:>9} {:>9}", "", "", "dissipates", "momentum", "torque")?;
+    let mut few: Vec<Term> = Vec::new();
+    for t in terms {
+        // Walls together.
+        let who = if t.who == "pair" { "pair" } else { "walls" };
+        match few.iter_mut().find(|f| f.who == who && f.term == t.term) {
+            Some(f) => {
+                f.dissipated += t.dissipated;
+                f.impulse += t.impulse;
+                f.turn += t.turn;
+            }
+            None => few.push(Term { who: who.into(), ..t.clone() }),
+        }
+    }
+    few.sort_by(|a, b| b.dissipated.total_cmp(&a.dissipated));
+    let large = |t: &&Term| t.dissipated.abs().max(t.impulse).max(t.turn) >= SMALL;
+    for x in few.iter().filter(large) {
+        let [d, i, r] =
+            [x.dissipated, x.impulse, x.turn].map(|s| if s == 0.0 { "-".into() } else { percent(s) });
+        writeln!(t, "  {:<6} {:<34} {d:>11} {i:>9} {r:>9}", x.who, x.term)?;
+    }
+    Ok(())
+}
+
+fn ladder(t: &mut String, a: &Advice) -> fmt::Result {
+    writeln!(
+        t,
+        "  {:<44} {:>9} {:<18} {:>10} {:>9} {:>9}",
+        "", "error", "of", "step [s]", "law [ns]", "time"
+    )?;
+    for (k, r) in a.ladder.iter().enumerate() {
+        let (what, error) =
+            r.model.worst.map_or(("", String::new()), |(what, size, _)| (what, percent(size)));
+        let step = r.step.map_or("none".into(), number);
+        let cost = if r.cost.is_finite() { format!("{:.0}", r.cost) } else { "-".into() };
+        let predicted = r.predicted.map_or("-".into(), percent);
+        let sign = if a.chosen == Some(k) {
+            "*"
+        } else if r.holds {
+            " "
+        } else {
+            "x"
+        };
+        writeln!(t, "{sign} {:<44} {error:>9} {what:<18} {step:>10} {cost:>9} {predicted:>9}", r.name())?;
+    }
+    writeln!(t, "  * advised, x not good enough; time of a run relative to the deck as it is, from the cost of the laws measured here")
+}
