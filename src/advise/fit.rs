@@ -93,7 +93,7 @@ fn worst(
     error: impl Fn(&Errors) -> f64,
 ) -> Result<f64, HeaderError> {
     let some = scene.only(of);
-    let (errors, _) = some.try_out(chains, dt)?;
+    let (errors, _) = some.try_out(chains, dt, None)?;
     Ok(errors.iter().map(error).fold(0.0, f64::max))
 }
 

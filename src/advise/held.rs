@@ -1,4 +1,4 @@
-//! Loads of a probe, held once more: a contact is pressed, sheared and rolled by hand until it bears what it bore.
+//! Loads of a probe, held once more: a contact is pressed, sheared, rolled and pulled by hand until it bears what it bore.
 //!
 //! Nothing moves by itself here. What a lasting contact does with its neighbours cannot be known from it alone, but what
 //! it can bear, and how far it gives, can.
@@ -7,48 +7,50 @@ use crate::law::{Body, Call, Contact, Gap, Kind, Stage, Surface};
 use crate::probe::Pressed;
 use nalgebra::Vector3;
 
-/// Overlap is raised by this part of what a spring of the largest stiffness of the run would need.
-const PRESS: f64 = 0.01;
-/// Pressing ends at so many times that overlap.
-const DEEPEST: usize = 40;
+/// The first overlap that is tried, relative to what a spring of the largest stiffness of the run would need; and the
+/// largest.
+const FIRST: f64 = 0.01;
+const DEEPEST: f64 = 100.0;
+/// The overlap under a load is found to this part of itself.
+const NEAR: f64 = 1e-3;
 /// Shear per step, relative to the overlap, and the steps after which a contact that still slides bears nothing.
 const SHEAR: f64 = 0.002;
 const SHEARED: usize = 4000;
-/// Steps of rolling.
+/// Steps of rolling, and those in which a contact is pulled apart.
 const ROLLED: usize = 20;
+const PULLED: usize = 1000;
 
 /// What a contact bears.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held {
-    /// Overlap under the normal load \[m\]; infinite if no overlap that was tried bears it.
+    /// Overlap under the mean load, once the contact bore its largest \[m\]; infinite if no overlap that was tried does.
     pub overlap: f64,
     /// Tangential force that it still bears at rest, over the normal load, once it was sheared until it bore what it bore
     /// in the run.
     pub shear: f64,
     /// Torque against rolling and against torsion, over normal load times R*.
     pub torque: [f64; 2],
-    /// Circular frequency of the normal spring under the load \[rad/s\].
+    /// Attraction that it bears while it is pulled apart, over the normal load; no more than there was in the run.
+    pub tension: f64,
+    /// Circular frequency of the normal spring under the largest load \[rad/s\].
     pub omega: f64,
 }
 
-/// Presses, shears and rolls. `dt` \[s\] is the step by which histories grow; as forces are told at rest, it does not
-/// matter which.
+/// Presses, shears, rolls and pulls. `dt` \[s\] is the step by which histories grow; as forces are told at rest, it does
+/// not matter which.
 pub fn hold(chain: &mut Chain, load: &Pressed, dt: f64) -> Held {
     let mut rig = Rig::new(chain, load, dt);
     let mut held = Held { overlap: f64::INFINITY, ..Held::default() };
-    let step = PRESS * load.normal / load.kn;
-    let deep = (1..DEEPEST * (1.0 / PRESS) as usize).find(|k| {
-        rig.overlap = *k as f64 * step;
-        rig.touch().fn_ >= load.normal
-    });
-    if deep.is_none() {
+    if !rig.press(load.push.max(load.normal)) {
         return held;
     }
-    held.overlap = rig.overlap;
     held.omega = rig.omega();
+    rig.ease(load.normal);
+    held.overlap = rig.overlap;
     held.shear = rig.shear(load.tangential) / load.normal;
     let lever = load.normal * load.partners.reff();
     held.torque = [Vector3::z(), Vector3::x()].map(|axis| rig.roll(axis) / lever);
+    held.tension = rig.pull().min(load.pull) / load.normal;
     held
 }
 
@@ -104,6 +106,47 @@ impl Rig<'_> {
         s
     }
 
+    /// Presses from nothing until the contact repels with a force \[N\]. The result is whether it does.
+    fn press(&mut self, wanted: f64) -> bool {
+        let scale = wanted / self.load.kn;
+        let mut step = FIRST * scale;
+        while self.overlap < DEEPEST * scale {
+            if !self.tried(step, |push| push >= wanted) {
+                step *= 1.1;
+            } else if step <= NEAR * self.overlap {
+                self.overlap += step;
+                return self.touch().force.x >= wanted;
+            } else {
+                step *= 0.5;
+            }
+        }
+        false
+    }
+
+    /// Withdraws until the contact repels with no more than a force \[N\].
+    fn ease(&mut self, wanted: f64) {
+        let mut step = 0.1 * self.overlap;
+        while step > NEAR * NEAR * self.overlap {
+            if self.touch().force.x <= wanted {
+                return;
+            }
+            if self.tried(-step, |push| push < wanted) {
+                step *= 0.5;
+            }
+        }
+    }
+
+    /// Changes the overlap, unless that goes too far: then everything is as before, and the result is true.
+    fn tried(&mut self, by: f64, too_far: impl Fn(f64) -> bool) -> bool {
+        let before = (self.overlap, self.history.clone());
+        self.overlap += by;
+        let over = too_far(self.touch().force.x);
+        if over {
+            (self.overlap, self.history) = before;
+        }
+        over
+    }
+
     /// Slides until the contact bears a tangential force \[N\], rests, and tells what it still bears.
     fn shear(&mut self, wanted: f64) -> f64 {
         let mut borne = 0.0;
@@ -126,6 +169,17 @@ impl Rig<'_> {
         let turned = (0..ROLLED).map(|_| self.touch()).last().unwrap_or_default();
         self.spin = Vector3::zeros();
         (still.torque_i - turned.torque_i).dot(&axis)
+    }
+
+    /// Pulls the contact apart, and tells the largest attraction on the way \[N\].
+    fn pull(&mut self) -> f64 {
+        let whole = self.overlap;
+        let mut most = 0.0f64;
+        for k in (1..PULLED).rev() {
+            self.overlap = whole * k as f64 / PULLED as f64;
+            most = most.max(-self.touch().force.x);
+        }
+        most
     }
 
     fn omega(&mut self) -> f64 {

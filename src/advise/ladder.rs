@@ -2,22 +2,11 @@
 use super::change::{simpler, Change};
 use super::fit::fit;
 use super::scene::{Errors, Scene};
+use super::rules::{CRITICAL, LARGER, SMALLER};
 use super::{cost, Options};
 use crate::law::Kind;
 use crate::trace::{Header, HeaderError};
 use serde::Serialize;
-
-/// Multiples of the deck's time step that are tried one after the other while they hold, and, where the first does not,
-/// parts of it until one does.
-const LARGER: [f64; 21] = [
-    1.0, 1.25, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.5, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0, 64.0,
-    80.0, 100.0,
-];
-const SMALLER: [f64; 7] = [0.8, 0.64, 0.5, 0.4, 0.25, 0.1, 0.05];
-/// Largest part of the critical step of two bodies that is recommended. With many neighbours the critical step is
-/// half of that (face-centred cubic, eight springs to the mass), and a tangential spring as stiff as the normal one
-/// brings it down to 0.53 of that again, because spheres turn under it.
-const CRITICAL: f64 = 0.25;
 
 /// A model on trial.
 #[derive(Clone, Debug, Serialize)]
@@ -69,7 +58,10 @@ impl Rung {
 /// Every rung: the deck as it is, every single change, and every combination of those that hold.
 pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Rung>, HeaderError> {
     let mut rungs = vec![rung(scene, o, Vec::new(), &[])?];
-    for c in simpler(&scene.chains) {
+    let (stay, tried): (Vec<_>, Vec<_>) = (0..scene.chains.len()).partition(|k| scene.stays(*k));
+    let tried: Vec<_> = tried.into_iter().map(|k| scene.chains[k].clone()).collect();
+    // A fitted property is that of all chains, so that one which stays would change with it.
+    for c in simpler(&tried).into_iter().filter(|c| stay.is_empty() || !fits(c)) {
         rungs.push(rung(scene, o, vec![c], &[])?);
     }
     let good: Vec<_> = rungs[1..].iter().filter(|r| r.holds).map(|r| r.changes[0].clone()).collect();
@@ -85,15 +77,22 @@ pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Rung>, HeaderError
     Ok(rungs)
 }
 
+/// Whether a change comes with properties that are fitted.
+fn fits(c: &Change) -> bool {
+    matches!(c, Change::Law(Kind::Normal, _))
+}
+
 /// Tries these changes. Where one of them was fitted before, it keeps that fit.
 fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Result<Rung, HeaderError> {
-    let fits = |c: &Change| matches!(c, Change::Law(Kind::Normal, _));
     let fitted = before
         .iter()
         .find(|r| r.changes.len() == 1 && fits(&r.changes[0]) && changes.contains(&r.changes[0]));
     let mut chains = fitted.map_or(&scene.chains, |r| &r.chains).clone();
     for c in &changes {
-        chains = chains.iter().map(|h| c.apply(h).unwrap_or_else(|| h.clone())).collect();
+        let changed = |(k, h): (usize, &Header)| {
+            Some(h).filter(|_| !scene.stays(k)).and_then(|h| c.apply(h)).unwrap_or_else(|| h.clone())
+        };
+        chains = chains.iter().enumerate().map(changed).collect();
     }
     let none = |why: HeaderError, chains| Rung {
         changes: changes.clone(),
@@ -110,7 +109,7 @@ fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Re
     if let Err(why) = if to_fit { fit(scene, &mut chains) } else { Ok(()) } {
         return Ok(none(why, chains));
     }
-    let model = match trial(scene, &chains, scene.fine(), o) {
+    let model = match trial(scene, &chains, scene.fine(), None, o) {
         Ok(model) => model,
         Err(why) => return Ok(none(why, chains)),
     };
@@ -127,13 +126,17 @@ fn largest(
     model: &Trial,
     o: &Options,
 ) -> Result<(Option<f64>, Option<Trial>), HeaderError> {
+    // Of a law that acts across gaps no step was tried but the deck's own, in the run.
+    if !scene.untried.is_empty() {
+        return Ok((Some(scene.dt()), Some(model.clone())));
+    }
     let critical = CRITICAL * 2.0 / model.omega;
     let try_out = |m: &f64| -> Result<Option<(f64, Trial)>, HeaderError> {
         let step = m * scene.dt();
         if step > critical {
             return Ok(None);
         }
-        let t = trial(scene, chains, step, o)?;
+        let t = trial(scene, chains, step, Some(model), o)?;
         Ok(within(&t, o).then_some((step, t)))
     };
     let mut found = None;
@@ -150,8 +153,15 @@ fn largest(
     Ok(found.unzip())
 }
 
-pub(super) fn trial(scene: &Scene, chains: &[Header], dt: f64, o: &Options) -> Result<Trial, HeaderError> {
-    let (errors, omega) = scene.try_out(chains, dt)?;
+/// All classes in steps of `dt`; loads as in another trial, if there was one.
+pub(super) fn trial(
+    scene: &Scene,
+    chains: &[Header],
+    dt: f64,
+    before: Option<&Trial>,
+    o: &Options,
+) -> Result<Trial, HeaderError> {
+    let (errors, omega) = scene.try_out(chains, dt, before.map(|t| &t.errors[..]))?;
     let worst = errors.iter().enumerate().map(|(k, e)| {
         let (what, size) = e.worst(o.time);
         (what, size, k, if what == "contact time" { size / o.time } else { size })

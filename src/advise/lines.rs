@@ -123,6 +123,11 @@ pub(super) fn reasons(a: &Advice) -> Vec<String> {
         percent(a.covered.0),
         percent(a.covered.1)
     ));
+    all.extend(a.untried.iter().map(|u| {
+        format!(
+            "{u} acts across gaps, which two bodies from their first touch on do not show: its chain and the time step stay as they are"
+        )
+    }));
     for r in a.ladder.iter().filter(|r| r.changes.len() == 1) {
         let name = r.name();
         all.push(match (&r.refused, r.holds, r.step) {
@@ -133,6 +138,9 @@ pub(super) fn reasons(a: &Advice) -> Vec<String> {
             }
             (_, true, None) => format!("{name} is good enough, but in no step that was tried"),
         });
+    }
+    if !a.untried.is_empty() {
+        return all;
     }
     all.push(match (whole.step, &whole.at_step) {
         (Some(step), Some(t)) if step >= a.dt => {

@@ -11,6 +11,7 @@ mod ladder;
 mod lines;
 pub mod lived;
 mod rank;
+pub mod rules;
 mod scene;
 mod text;
 
@@ -18,7 +19,7 @@ pub use change::Change;
 pub use ladder::{Rung, Trial};
 pub use lines::Line;
 pub use rank::{rank, Term};
-pub use scene::{Contacts, Errors, Group, Scene, IMPORTANT};
+pub use scene::{Contacts, Errors, Group, Scene};
 pub use text::text;
 
 use crate::probe::Probe;
@@ -30,7 +31,8 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Options {
     /// Largest error of restitution (absolute), contact time (relative) and spin (over the impact speed), of every
-    /// important class; under a load, of overlap (over R*), shear force (over the load) and torque (over load times R*).
+    /// important class; under a load, of overlap (square root over R*), of shear force and attraction (over the load) and of torque
+    /// (over load times R*).
     pub accuracy: f64,
     /// How many times less closely contact times are asked for; 1 as closely.
     pub time: f64,
@@ -38,7 +40,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Options {
-        Options { accuracy: 0.02, time: 1.0 }
+        Options { accuracy: rules::ACCURACY, time: 1.0 }
     }
 }
 
@@ -55,8 +57,10 @@ pub struct Advice {
     pub terms: Vec<Term>,
     /// The classes of contacts that were lived through again.
     pub groups: Vec<Group>,
-    /// Share of impacts, and of the momentum of all contacts, that they stand for.
+    /// Share of impacts, and of the momentum of all contacts, that they stand for, where changes are tried.
     pub covered: (f64, f64),
+    /// Laws that act across gaps, in words with what was measured of them.
+    pub untried: Vec<String>,
     /// The models on trial; the first is the deck as it is.
     pub ladder: Vec<Rung>,
     /// The one that is recommended, by its place; `None` if not even the deck's own is good enough in any step.
@@ -79,13 +83,16 @@ pub enum AdviceError {
         /// How many calls.
         calls: u64,
     },
+    /// Too much of the scene is in classes too small to count, or in contacts that were not seen whole.
+    #[error(
+        "the classes of contacts that can be lived through again stand for {:.0} % of the impacts and {:.0} % of the momentum \
+         exchanged; advice needs {:.0} % of both; probe a longer run", 100.0 * .0, 100.0 * .1, 100.0 * rules::COVERED
+    )]
+    Covered(f64, f64),
     /// A law is not ours.
     #[error("what the contacts do is known, but simpler models cannot be tried: {0}")]
     Laws(#[from] HeaderError),
 }
-
-/// A model is preferred to one with fewer changes only if it is predicted to take so much less time.
-const WORTH: f64 = 0.95;
 
 /// Advice from a probe.
 ///
@@ -97,8 +104,12 @@ pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), Advice
         return Err(AdviceError::NoContact);
     }
     let scene = Scene::of(probe)?;
-    if scene.groups.is_empty() {
+    if scene.groups.is_empty() && scene.untried.is_empty() {
         return Err(AdviceError::NoExample { calls });
+    }
+    let (impacts, momentum) = scene.covered;
+    if !scene.groups.is_empty() && impacts.min(momentum) < rules::COVERED {
+        return Err(AdviceError::Covered(impacts, momentum));
     }
     let ladder = ladder::climb(&scene, &options)?;
     let chosen = choose(&ladder);
@@ -110,6 +121,7 @@ pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), Advice
         terms: rank(probe),
         groups: scene.groups.clone(),
         covered: scene.covered,
+        untried: scene.untried.iter().map(|(k, law)| measured(&probe.principal()[*k], law)).collect(),
         ladder,
         chosen,
         lines,
@@ -119,6 +131,27 @@ pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), Advice
     Ok((advice, scene))
 }
 
+/// What a probe tells of a law.
+fn measured(c: &crate::probe::Contacts, law: &str) -> String {
+    let at = c.header.laws.iter().position(|l| l.keyword == law).unwrap_or(0);
+    let shares = || c.pairs.iter().filter_map(|p| p.laws.get(at));
+    let branch = |wanted: &dyn Fn(&str) -> bool| -> f64 {
+        shares().flat_map(|s| s.branches.iter()).filter(|(b, _)| wanted(b)).map(|(_, t)| t).sum()
+    };
+    let (all, idle) = (branch(&|_| true), branch(&|b| b == "unbonded"));
+    let used = c.pairs.iter().filter_map(|p| p.load.range()).map(|(_, most)| most).fold(0.0, f64::max);
+    let impulse: f64 = shares().map(|s| s.impulse).sum();
+    let whole: f64 = c.pairs.iter().flat_map(|p| &p.laws).map(|s| s.impulse).sum();
+    let share = |x: f64, of: f64| if of > 0.0 { lines::percent(x / of) } else { lines::percent(0.0) };
+    let strength = if used > 0.0 { format!(", up to {} of its strength", lines::percent(used)) } else { String::new() };
+    format!(
+        "{law} ({}: at work in {} of the contact time seen, {} of the momentum{strength})",
+        c.header.who,
+        share(all - idle, all),
+        share(impulse, whole),
+    )
+}
+
 /// The cheapest model that holds; of those that cost much the same, the one that changes least.
 fn choose(ladder: &[Rung]) -> Option<usize> {
     let mut best: Option<usize> = None;
@@ -126,7 +159,7 @@ fn choose(ladder: &[Rung]) -> Option<usize> {
     order.sort_by_key(|k| ladder[*k].changes.len());
     for k in order {
         let cost = |k: usize| ladder[k].predicted.unwrap_or(f64::INFINITY);
-        if best.is_none_or(|b| cost(k) < WORTH * cost(b)) {
+        if best.is_none_or(|b| cost(k) < rules::WORTH * cost(b)) {
             best = Some(k);
         }
     }

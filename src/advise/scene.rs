@@ -1,20 +1,13 @@
 //! What of a probe is lived through again: its important classes of contacts, and what the present chain makes of them.
 use super::held::{hold, Held};
 use super::lived::{self, Rebound};
+use super::rules::{FINE, IMPORTANT, PHASES, STUCK};
 use crate::chain::Chain;
+use crate::law::Reach;
 use crate::probe::{Class, Drawn, Impact, Pressed, Probe, TypePair};
 use crate::trace::{Header, HeaderError};
 use rayon::prelude::*;
 use serde::Serialize;
-
-/// A class is important if it has this share of all impacts, of all momentum exchanged or of all work dissipated.
-pub const IMPORTANT: f64 = 0.01;
-/// Steps in half a period of the stiffest contact for what counts as the truth.
-const FINE: f64 = 200.0;
-/// Where within a step impacts begin.
-const PHASES: [f64; 2] = [0.25, 0.75];
-/// An impact that takes so many times longer than in the run sticks.
-const STUCK: f64 = 5.0;
 
 /// A class of contacts that is lived through again.
 #[derive(Clone, Debug, Serialize)]
@@ -55,12 +48,14 @@ pub struct Errors {
     pub time: f64,
     /// Surface speed by spin afterwards, over the speed of the impact.
     pub spin: f64,
-    /// Overlap under a load, over R*.
+    /// Square root of overlap over R* under a load: the coordination number of a packing goes with it.
     pub overlap: f64,
     /// Tangential force that is borne at rest, over the normal load.
     pub shear: f64,
     /// Torque against rolling or torsion, over the normal load times R*.
     pub torque: f64,
+    /// Attraction that is borne, over the normal load.
+    pub tension: f64,
 }
 
 /// What is lived through again, and how.
@@ -70,6 +65,8 @@ pub struct Scene {
     pub chains: Vec<Header>,
     /// Contact calls of each.
     pub calls: Vec<u64>,
+    /// Laws that act across gaps, with their chain: what they do is not lived through again, so that chain stays as it is.
+    pub untried: Vec<(usize, String)>,
     /// Important classes.
     pub groups: Vec<Group>,
     /// Share of impacts and of momentum that the groups stand for.
@@ -81,9 +78,9 @@ pub struct Scene {
 }
 
 impl Errors {
-    fn all(&mut self) -> [&mut f64; 6] {
-        let Errors { restitution, time, spin, overlap, shear, torque } = self;
-        [restitution, time, spin, overlap, shear, torque]
+    fn all(&mut self) -> [&mut f64; 7] {
+        let Errors { restitution, time, spin, overlap, shear, torque, tension } = self;
+        [restitution, time, spin, overlap, shear, torque, tension]
     }
 
     /// Of one contact that began at two moments of a step.
@@ -114,6 +111,7 @@ impl Errors {
             ("overlap under load", self.overlap),
             ("shear held at rest", self.shear),
             ("torque against rolling", self.torque),
+            ("attraction borne", self.tension),
         ];
         let worst =
             |a: (&'static str, f64), b: (&'static str, f64)| if worse(a.1, b.1) > a.1 { b } else { a };
@@ -127,7 +125,7 @@ impl Errors {
 
     /// Whether all are within what is asked for: the accuracy, and for contact times a multiple of it.
     pub fn within(&self, accuracy: f64, time: f64) -> bool {
-        let rest = [self.restitution, self.spin, self.overlap, self.shear, self.torque];
+        let rest = [self.restitution, self.spin, self.overlap, self.shear, self.torque, self.tension];
         rest.iter().all(|e| *e <= accuracy) && self.time <= accuracy * time
     }
 }
@@ -148,11 +146,16 @@ impl Scene {
     /// A chain has a law that granlaw lacks.
     pub fn of(probe: &Probe) -> Result<Scene, HeaderError> {
         let chains = probe.principal();
-        let sums = Sums::of(chains.iter().flat_map(|c| &c.pairs));
+        let mut untried = Vec::new();
+        for (k, c) in chains.iter().enumerate() {
+            let laws = c.header.chain()?;
+            untried.extend(laws.laws().filter(|m| m.reach == Reach::Beyond).map(|m| (k, m.keyword.to_string())));
+        }
+        let tried = |k: &usize| untried.iter().all(|(chain, _)| chain != k);
+        let sums = Sums::of(chains.iter().enumerate().filter(|(k, _)| tried(k)).flat_map(|(_, c)| &c.pairs));
         let mut groups = Vec::new();
         let mut omega = 0.0f64;
-        for (k, c) in chains.iter().enumerate() {
-            c.header.chain()?;
+        for (k, c) in chains.iter().enumerate().filter(|(k, _)| tried(k)) {
             for p in &c.pairs {
                 omega = omega.max(p.fastest.omega());
                 groups.extend(p.impacts.iter().map(|i| sums.group((k, &c.header.who), p, i, true)));
@@ -160,12 +163,16 @@ impl Scene {
             }
         }
         groups.retain(|g: &Group| g.count.max(g.impulse).max(g.dissipated) >= IMPORTANT);
-        let covered = groups.iter().fold((0.0, 0.0), |(c, i), g| (c + g.count, i + g.impulse));
+        let (mut count, mut impulse) = groups.iter().fold((0.0, 0.0), |(c, i), g| (c + g.count, i + g.impulse));
+        // Of none they are all.
+        count = if sums.count > 0.0 { count } else { 1.0 };
+        impulse = if sums.impulse > 0.0 { impulse } else { 1.0 };
+        let covered = (count, impulse);
         let every: u64 = probe.chains.iter().map(|c| c.calls).sum();
         let per_call = 1e9 * probe.seconds * probe.ranks as f64 / every.max(1) as f64;
         let headers = chains.iter().map(|c| c.header.clone()).collect();
         let calls = chains.iter().map(|c| c.calls).collect();
-        let mut scene = Scene { chains: headers, calls, groups, covered, omega, per_call };
+        let mut scene = Scene { chains: headers, calls, untried, groups, covered, omega, per_call };
         scene.live();
         Ok(scene)
     }
@@ -173,8 +180,12 @@ impl Scene {
     /// The same with some of its groups.
     pub(super) fn only(&self, of: impl Fn(&Group) -> bool) -> Scene {
         let groups = self.groups.iter().filter(|g| of(g)).cloned().collect();
-        let (chains, calls) = (self.chains.clone(), self.calls.clone());
-        Scene { chains, calls, groups, ..*self }
+        Scene { chains: self.chains.clone(), calls: self.calls.clone(), untried: Vec::new(), groups, ..*self }
+    }
+
+    /// Whether a chain stays as it is: nothing that it does was tried.
+    pub(super) fn stays(&self, chain: usize) -> bool {
+        self.groups.iter().all(|g| g.chain != chain)
     }
 
     /// The step that counts as infinitely small \[s\].
@@ -205,11 +216,20 @@ impl Scene {
     }
 
     /// What chains get wrong of every group in steps of `dt` \[s\], and the highest circular frequency met \[rad/s\].
+    /// Loads are held at rest, so that `known` errors of theirs in another step need not be found again.
     ///
     /// # Errors
     /// A law refuses.
-    pub fn try_out(&self, chains: &[Header], dt: f64) -> Result<(Vec<Errors>, f64), HeaderError> {
-        let tried = self.groups.par_iter().map(|g| {
+    pub fn try_out(
+        &self,
+        chains: &[Header],
+        dt: f64,
+        known: Option<&[Errors]>,
+    ) -> Result<(Vec<Errors>, f64), HeaderError> {
+        let tried = self.groups.par_iter().enumerate().map(|(k, g)| {
+            if let (Some(known), Contacts::Loads(_)) = (known, &g.contacts) {
+                return Ok((known[k], 0.0));
+            }
             let mut bench = Bench::new(&chains[g.chain])?;
             Ok(bench.errors(g, dt))
         });
@@ -285,10 +305,12 @@ fn wrong(i: &Impact, truth: &Rebound, got: &Rebound) -> Errors {
 
 fn astray(l: &Pressed, truth: &Held, got: &Held) -> Errors {
     let torque = |k: usize| (got.torque[k] - truth.torque[k]).abs();
+    let root = |h: &Held| (h.overlap / l.partners.reff()).sqrt();
     Errors {
-        overlap: (got.overlap - truth.overlap).abs() / l.partners.reff(),
+        overlap: (root(got) - root(truth)).abs(),
         shear: (got.shear - truth.shear).abs(),
         torque: worse(torque(0), torque(1)),
+        tension: (got.tension - truth.tension).abs(),
         ..Errors::default()
     }
 }

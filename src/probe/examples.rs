@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// How many examples a class keeps.
-pub const KEPT: usize = 6;
+pub const KEPT: usize = 12;
 
 /// What sizes and weights two partners have.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -55,7 +55,7 @@ pub struct End {
     pub dissipated: f64,
 }
 
-/// The mean load of a contact that lasted.
+/// The load of a contact that lasted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Pressed {
@@ -65,6 +65,10 @@ pub struct Pressed {
     pub normal: f64,
     /// Mean tangential force \[N\].
     pub tangential: f64,
+    /// Largest repulsion \[N\].
+    pub push: f64,
+    /// Largest attraction \[N\].
+    pub pull: f64,
     /// How long it was seen \[s\].
     pub time: f64,
     /// Largest normal stiffness that the laws handed along \[N/m\].

@@ -147,7 +147,8 @@ impl Live {
         if normal <= 0.0 {
             return;
         }
-        let pressed = Pressed { partners: self.partners, normal, tangential, time: self.time, kn: self.kn };
+        let Live { partners, push, pull, time, kn, .. } = *self;
+        let pressed = Pressed { partners, normal, tangential, push, pull, time, kn };
         let class = (examples::octave(normal), pressed.slant());
         let drawn = Drawn { lot: self.lot, what: pressed };
         examples::enter(&mut pair.pressed, class, self.weight, (self.impulse[0], -self.work), drawn);

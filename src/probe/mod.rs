@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// What the `format` of a file says.
-pub const FORMAT: &str = "granlaw probe 1";
+pub const FORMAT: &str = "granlaw probe 2";
 
 /// What a run's contacts did.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -113,7 +113,7 @@ pub fn impact(wall: bool, v: [f64; 3]) -> Impact {
 }
 
 pub fn pressed(normal: f64, tangential: f64, kn: f64) -> Pressed {
-    Pressed { partners: partners(false), normal, tangential, time: 1.0, kn }
+    Pressed { partners: partners(false), normal, tangential, push: normal, pull: 0.0, time: 1.0, kn }
 }
 
 /// What a follower makes of these impacts (normal speed, slip speed, spin of one of the two times its radius, all in m/s) under a chain.

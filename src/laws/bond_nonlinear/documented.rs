@@ -245,14 +245,16 @@ fn inertia(f: &Fit, x: &Gap, m: &Motion) -> Modes<f64> {
     )
 }
 
-/// What a study wants to know: the normal mode.
+/// What a study wants to know: the normal mode, and the strength that all modes use.
 pub fn observe(f: &Fit, x: &Gap, h: &History) -> Terms {
     let r = if x.call.is_wall { (x.i.x - Vector3::from(h.from)).norm() } else { x.rsq.sqrt() };
     let delta = h.r0 - r;
     let [max, min] = widened(h.extremes, delta);
+    let carried = loads(f, delta, &mut h.clone(), seen_from(x));
     Terms {
         branch: normal::branch_name(&f.c, delta, max, min),
         stiffness: normal::tangent(&f.c, delta, max, min) * f.area,
+        load: failure::used(f, [apart(x, h.r0), apart(x, r)], &carried),
         ..Terms::default()
     }
 }
