@@ -3,14 +3,18 @@
 //! A [`Probe`] says what the contacts of a scene do. Its examples are lived through again by two bodies alone, with
 //! simpler chains and with larger steps; what stays within the accuracy asked for, in every important class of contacts, is
 //! good enough. Nothing is recommended that was not tried, and everything is told with the measurement behind it.
+pub mod bulk;
 mod change;
+pub mod check;
 mod cost;
 mod fit;
+pub mod fresh;
 pub mod held;
 mod ladder;
 mod lines;
 pub mod lived;
 mod rank;
+pub mod rewrite;
 pub mod rules;
 mod scene;
 mod text;

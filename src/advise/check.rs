@@ -1,0 +1,177 @@
+//! Advice held to the whole scene: the deck and the advised deck run, and their bulk observables and times are compared.
+use super::bulk::{compare, Observable};
+use super::ladder::Rung;
+use super::rewrite::RewriteError;
+use crate::deck::Deck;
+use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
+use crate::probe::{Probe, ProbeError};
+use crate::trace::{Header, LawSpec};
+use serde::Serialize;
+use std::time::Duration;
+use thiserror::Error;
+
+/// What came of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Check {
+    /// The advised deck.
+    pub advised: String,
+    /// Bulk observables.
+    pub observables: Vec<Observable>,
+    /// Largest difference that is allowed.
+    pub bound: f64,
+    /// Wall-clock times of the deck and of the advised one, without a probe \[s\].
+    pub seconds: [f64; 2],
+    /// The predicted time of the advised deck relative to the deck.
+    pub predicted: Option<f64>,
+}
+
+impl Check {
+    /// Whether every observable is within the bound.
+    pub fn holds(&self) -> bool {
+        !self.observables.is_empty() && self.observables.iter().all(|o| o.within(self.bound))
+    }
+
+    /// The measured time of the advised deck relative to the deck.
+    pub fn measured(&self) -> f64 {
+        self.seconds[1] / self.seconds[0]
+    }
+}
+
+/// Why there is no answer.
+#[derive(Debug, Error)]
+pub enum CheckError {
+    /// A run failed.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// A run left no probe.
+    #[error(transparent)]
+    Probe(#[from] ProbeError),
+    /// The advised deck cannot be made from the deck.
+    #[error(transparent)]
+    Rewrite(#[from] RewriteError),
+    /// A file cannot be written.
+    #[error("cannot write the deck: {0}")]
+    Write(#[from] std::io::Error),
+    /// The advised deck is not what was advised.
+    #[error("the advised deck did not become what was advised: {0}; write it by hand and name it with --advised FILE")]
+    Other(String),
+    /// Two runs were to differ and did not.
+    #[error("a run with {0} had the very contacts of the first; let the deck draw its start from a variable and name it with --fresh NAME=VALUE")]
+    Same(String),
+}
+
+/// Runs a deck and others like it.
+pub struct Runner<'a> {
+    /// LIGGGHTS.
+    pub host: &'a Host,
+    /// The plugin.
+    pub plugin: &'a Plugin,
+    /// The deck; the files beside it are there in each run.
+    pub deck: &'a Deck,
+    /// Time limit of a run.
+    pub limit: Duration,
+}
+
+impl Runner<'_> {
+    /// The probe of a run of this text in place of the deck.
+    ///
+    /// # Errors
+    /// The run fails.
+    pub fn probe(&self, text: &str) -> Result<Probe, CheckError> {
+        let folder = self.folder(text)?;
+        let path = folder.path().join("granlaw-probe.json");
+        let preload = Preload { laws: Laws::Stock, probe: Some(path.clone()), ..self.preload() };
+        folder.run(self.host, self.deck, Some(&preload), self.limit)?;
+        Ok(Probe::read(&path)?)
+    }
+
+    /// The time of a plain run \[s\].
+    ///
+    /// # Errors
+    /// The run fails.
+    pub fn time(&self, text: &str) -> Result<f64, CheckError> {
+        Ok(self.folder(text)?.run(self.host, self.deck, Some(&self.preload()), self.limit)?.seconds)
+    }
+
+    fn folder(&self, text: &str) -> Result<Folder, CheckError> {
+        let folder = Folder::new(self.deck)?;
+        std::fs::write(folder.path().join(self.deck.file()), text)?;
+        Ok(folder)
+    }
+
+    fn preload(&self) -> Preload<'_> {
+        let (plugin, deck) = (self.plugin, Some(self.deck.file()));
+        Preload { plugin, laws: Laws::Own, record: None, every: 1, probe: None, deck, route: None }
+    }
+}
+
+/// The deck with a variable of another value: a variable that is set already keeps its value.
+pub fn with(deck: &str, variable: &str, value: &str) -> String {
+    format!("variable {variable} index {value}\n{deck}")
+}
+
+/// Runs both decks, and compares. `first` is the probe of the deck, `other` that of the deck with another seed.
+///
+/// # Errors
+/// A run fails, or the advised deck is not what `rung` says; where `rung` is `None` it is taken as it is.
+pub fn check(
+    runner: &Runner<'_>,
+    (deck, advised): (&str, &str),
+    (first, other): (&Probe, Option<&Probe>),
+    rung: Option<&Rung>,
+    bound: f64,
+) -> Result<Check, CheckError> {
+    let second = runner.probe(advised)?;
+    if let Some(rung) = rung {
+        as_advised(&second, rung).map_err(CheckError::Other)?;
+    }
+    let long = |p: &Probe| p.bulk.samples.last().map_or(0.0, |s| s.time);
+    let [a, b] = [first, &second].map(long);
+    if (a - b).abs() > 0.01 * a {
+        return Err(CheckError::Other(format!("it ran for {b} s of the scene, the deck for {a} s")));
+    }
+    let seconds = [runner.time(deck)?, runner.time(advised)?];
+    Ok(Check {
+        advised: advised.into(),
+        observables: compare(&first.bulk, &second.bulk, other.map(|o| &o.bulk)),
+        bound,
+        seconds,
+        predicted: rung.and_then(|r| r.predicted),
+    })
+}
+
+/// Whether LIGGGHTS resolved the laws, coefficients and step that were advised.
+fn as_advised(probe: &Probe, rung: &Rung) -> Result<(), String> {
+    for c in probe.principal() {
+        let Some(h) = rung.chains.iter().find(|h| h.who == c.header.who) else {
+            return Err(format!("there is a chain {}", c.header.who));
+        };
+        let step = rung.step.unwrap_or(h.dt);
+        if (c.header.dt / step - 1.0).abs() > 1e-5 {
+            return Err(format!("{}: the time step is {} s, not {step} s", h.who, c.header.dt));
+        }
+        same(h, &c.header).map_err(|what| format!("{}: {what}", h.who))?;
+    }
+    Ok(())
+}
+
+fn same(advised: &Header, run: &Header) -> Result<(), String> {
+    let names = |h: &Header| h.laws.iter().map(|l| format!("{} {}", l.kind, l.keyword)).collect::<Vec<_>>();
+    if names(advised) != names(run) {
+        return Err(format!("its laws are {}, not {}", names(run).join(", "), names(advised).join(", ")));
+    }
+    for (a, b) in advised.laws.iter().zip(&run.laws) {
+        let values = |l: &LawSpec| {
+            let mut all: Vec<_> = l.properties.iter().map(|p| (p.name.clone(), p.values.clone())).collect();
+            all.sort_by(|x, y| x.0.cmp(&y.0));
+            all
+        };
+        if values(a) != values(b) {
+            return Err(format!("{} {} has other properties", b.kind, b.keyword));
+        }
+        if let Some((name, option)) = b.settings.iter().find(|(n, o)| a.settings.get(*n).is_some_and(|x| x != *o)) {
+            return Err(format!("{} {} has {name} {option}", b.kind, b.keyword));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,67 @@
+//! Advice held to contacts that it was not made from: those of another run of the scene.
+use super::ladder::{trial, Rung};
+use super::rules::HELD_OUT;
+use super::scene::{Contacts, Errors, Scene};
+use super::Options;
+use crate::trace::HeaderError;
+use serde::Serialize;
+
+/// A class of fresh contacts.
+#[derive(Clone, Debug, Serialize)]
+pub struct Class {
+    /// Which contacts, in words.
+    pub name: String,
+    /// Whether they are impacts; else they lasted.
+    pub impacts: bool,
+    /// What the advised chain gets wrong of them, in the advised step.
+    pub errors: Errors,
+    /// Whether that is within the accuracy.
+    pub within: bool,
+}
+
+/// What came of the fresh contacts.
+#[derive(Clone, Debug, Serialize)]
+pub struct Fresh {
+    /// What told the other run from the first, for instance `seed=32452867`.
+    pub run: String,
+    /// The classes that count in the other run.
+    pub classes: Vec<Class>,
+}
+
+impl Fresh {
+    /// How many classes are within the accuracy, and how many there are: of impacts, or of lasting contacts.
+    pub fn tally(&self, impacts: bool) -> (usize, usize) {
+        let of = || self.classes.iter().filter(|c| c.impacts == impacts);
+        (of().filter(|c| c.within).count(), of().count())
+    }
+
+    /// Whether enough classes of impacts are within the accuracy; without impacts, of lasting contacts.
+    pub fn holds(&self) -> bool {
+        let (within, all) = match self.tally(true) {
+            (_, 0) => self.tally(false),
+            some => some,
+        };
+        all > 0 && within as f64 >= HELD_OUT * all as f64
+    }
+}
+
+/// Tries a rung of the ladder, in its step, on the contacts of another run.
+///
+/// # Errors
+/// A law refuses.
+pub fn fresh(other: &Scene, deck: &Scene, rung: &Rung, run: &str, o: &Options) -> Result<Fresh, HeaderError> {
+    let chains = other.chains.iter().map(|c| {
+        let at = deck.chains.iter().position(|d| d.who == c.who);
+        // A chain that the first run never used was not advised on: it is as it was.
+        at.map_or_else(|| c.clone(), |k| rung.chains[k].clone())
+    });
+    let chains: Vec<_> = chains.collect();
+    let tried = trial(other, &chains, rung.step.unwrap_or(deck.dt()), None, o)?;
+    let classes = other.groups.iter().zip(&tried.errors).map(|(g, e)| Class {
+        name: g.name.clone(),
+        impacts: matches!(g.contacts, Contacts::Impacts(_)),
+        errors: *e,
+        within: e.within(o.accuracy, o.time),
+    });
+    Ok(Fresh { run: run.into(), classes: classes.collect() })
+}
