@@ -51,9 +51,21 @@ fn differences(a: &Bulk, b: &Bulk) -> Vec<(&'static str, &'static str, f64)> {
     let end = |r: &Bulk| r.samples.last().map_or(0.0, |s| s.time);
     let (a, b) = (Run { of: a, end: end(a) }, Run { of: b, end: end(b) });
     let mut all = vec![
-        ("kinetic energy", "mean of |difference| over time, over the mean", history(&a, &b, |s| s.kinetic + s.rotational)),
-        ("centre of mass", "mean of |difference| over time, over the largest extent of the scene along that axis", centre(&a, &b)),
-        ("coordination number", "of four parts of the run: sum of |difference| over the sum", coordination(&a, &b)),
+        (
+            "kinetic energy",
+            "mean of |difference| over time, over the mean",
+            history(&a, &b, |s| s.kinetic + s.rotational),
+        ),
+        (
+            "centre of mass",
+            "mean of |difference| over time, over the largest extent of the scene along that axis",
+            centre(&a, &b),
+        ),
+        (
+            "coordination number",
+            "of four parts of the run: sum of |difference| over the sum",
+            coordination(&a, &b),
+        ),
     ];
     let mass = |s: &Sample| s.mass;
     let first = a.at(0.0, mass);
@@ -66,7 +78,11 @@ fn differences(a: &Bulk, b: &Bulk) -> Vec<(&'static str, &'static str, f64)> {
         ));
     }
     if !a.of.walls.is_empty() {
-        all.push(("force on walls", "of four parts of the run and all walls: sum of |difference| over the sum", walls(&a, &b)));
+        all.push((
+            "force on walls",
+            "of four parts of the run and all walls: sum of |difference| over the sum",
+            walls(&a, &b),
+        ));
     }
     all
 }
@@ -125,12 +141,15 @@ fn centre(a: &Run<'_>, b: &Run<'_>) -> f64 {
 /// Contacts per particle, each counted for both partners, of each part of a run.
 fn coordination(a: &Run<'_>, b: &Run<'_>) -> f64 {
     let parts = |run: &Run<'_>| {
-        (0..PARTS).map(|k| {
-            let [from, to] = [k, k + 1].map(|k| run.end * k as f64 / PARTS as f64);
-            let change = |of: &dyn Fn(&Sample) -> f64| run.at(to, of) - run.at(from, of);
-            let particles = 0.5 * (run.at(from, |s| s.particles as f64) + run.at(to, |s| s.particles as f64));
-            2.0 * change(&|s| s.contacts as f64) / change(&|s| s.step as f64) / particles.max(1.0)
-        }).collect::<Vec<_>>()
+        (0..PARTS)
+            .map(|k| {
+                let [from, to] = [k, k + 1].map(|k| run.end * k as f64 / PARTS as f64);
+                let change = |of: &dyn Fn(&Sample) -> f64| run.at(to, of) - run.at(from, of);
+                let particles =
+                    0.5 * (run.at(from, |s| s.particles as f64) + run.at(to, |s| s.particles as f64));
+                2.0 * change(&|s| s.contacts as f64) / change(&|s| s.step as f64) / particles.max(1.0)
+            })
+            .collect::<Vec<_>>()
     };
     over(parts(a), parts(b))
 }
@@ -200,7 +219,8 @@ mod tests {
             assert!(o.difference < 1e-4 && o.within(BULK), "{o:?}");
         }
         let wrong = compare(&run(1e-5, 1.0), &run(7e-5, 1.05), None);
-        let of = |name: &str| wrong.iter().find(|o| o.name == name).unwrap_or_else(|| panic!("{name}")).difference;
+        let of =
+            |name: &str| wrong.iter().find(|o| o.name == name).unwrap_or_else(|| panic!("{name}")).difference;
         for name in ["kinetic energy", "coordination number", "force on walls"] {
             assert!((of(name) - 0.05).abs() < 1e-3, "{name} {}", of(name));
         }

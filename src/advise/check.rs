@@ -169,7 +169,9 @@ fn same(advised: &Header, run: &Header) -> Result<(), String> {
         if values(a) != values(b) {
             return Err(format!("{} {} has other properties", b.kind, b.keyword));
         }
-        if let Some((name, option)) = b.settings.iter().find(|(n, o)| a.settings.get(*n).is_some_and(|x| x != *o)) {
+        if let Some((name, option)) =
+            b.settings.iter().find(|(n, o)| a.settings.get(*n).is_some_and(|x| x != *o))
+        {
             return Err(format!("{} {} has {name} {option}", b.kind, b.keyword));
         }
     }

@@ -1,8 +1,8 @@
 //! The ladder of models: what each leaves out, how wrong that is, the largest step that it bears, and what it costs.
 use super::change::{simpler, Change};
 use super::fit::fit;
-use super::scene::{Errors, Scene};
 use super::rules::{CRITICAL, LARGER, SMALLER};
+use super::scene::{Errors, Scene};
 use super::{cost, Options};
 use crate::law::Kind;
 use crate::trace::{Header, HeaderError};

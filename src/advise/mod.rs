@@ -13,6 +13,7 @@ pub mod held;
 mod ladder;
 mod lines;
 pub mod lived;
+mod page;
 mod rank;
 pub mod rewrite;
 pub mod rules;
@@ -22,6 +23,7 @@ mod text;
 pub use change::Change;
 pub use ladder::{Rung, Trial};
 pub use lines::Line;
+pub use page::page;
 pub use rank::{rank, Term};
 pub use scene::{Contacts, Errors, Group, Scene};
 pub use text::text;
@@ -73,6 +75,26 @@ pub struct Advice {
     pub lines: Vec<Line>,
     /// Why, in sentences with numbers.
     pub reasons: Vec<String>,
+}
+
+/// Advice, with what came of holding it to the scene.
+#[derive(Debug, Serialize)]
+pub struct Found {
+    /// The advice.
+    pub advice: Advice,
+    /// The deck and the advised deck in full.
+    pub check: Option<check::Check>,
+    /// Contacts of another run.
+    pub fresh: Option<fresh::Fresh>,
+}
+
+impl Found {
+    /// Whether there is advice, and it holds wherever it was held to something.
+    pub fn holds(&self) -> bool {
+        self.advice.chosen.is_some()
+            && self.check.as_ref().is_none_or(check::Check::holds)
+            && self.fresh.as_ref().is_none_or(fresh::Fresh::holds)
+    }
 }
 
 /// Why there is no advice.
@@ -147,7 +169,8 @@ fn measured(c: &crate::probe::Contacts, law: &str) -> String {
     let impulse: f64 = shares().map(|s| s.impulse).sum();
     let whole: f64 = c.pairs.iter().flat_map(|p| &p.laws).map(|s| s.impulse).sum();
     let share = |x: f64, of: f64| if of > 0.0 { lines::percent(x / of) } else { lines::percent(0.0) };
-    let strength = if used > 0.0 { format!(", up to {} of its strength", lines::percent(used)) } else { String::new() };
+    let strength =
+        if used > 0.0 { format!(", up to {} of its strength", lines::percent(used)) } else { String::new() };
     format!(
         "{law} ({}: at work in {} of the contact time seen, {} of the momentum{strength})",
         c.header.who,

@@ -53,7 +53,12 @@ pub fn rewrite(deck: &str, scene: &Scene, rung: &Rung) -> Result<String, Rewrite
     let before = all.iter().position(|c| c.is(&["pair_style"])).unwrap_or(0);
     let fresh = new.iter().enumerate().map(|(k, p)| {
         let words = format!("fix granlaw{k} all property/global {}", values(p));
-        Command { line: 0, words: words.split(' ').map(String::from).collect(), text: String::new(), changed: true }
+        Command {
+            line: 0,
+            words: words.split(' ').map(String::from).collect(),
+            text: String::new(),
+            changed: true,
+        }
     });
     all.splice(before..before, fresh);
     if let Some(step) = rung.step.filter(|s| *s != scene.dt()) {
@@ -164,7 +169,9 @@ fn values(p: &Property) -> String {
 /// Whether a property stands in the deck, and now has these values there.
 fn replaced(all: &mut [Command], p: &Property) -> bool {
     let here = |c: &&mut Command| {
-        c.is(&["fix"]) && c.words.get(3).is_some_and(|w| w == "property/global") && c.words.get(4) == Some(&p.name)
+        c.is(&["fix"])
+            && c.words.get(3).is_some_and(|w| w == "property/global")
+            && c.words.get(4) == Some(&p.name)
     };
     let Some(c) = all.iter_mut().find(here) else { return false };
     c.words.truncate(4);
@@ -185,7 +192,12 @@ fn steps(all: &mut Vec<Command>, many: f64) -> Result<(), RewriteError> {
                 // Whatever it says, LIGGGHTS works it out.
                 let name = format!("granlawRun{line}");
                 let words = ["variable", &name, "equal", &format!("round({}*{many})", c.words[1])];
-                let variable = Command { line, words: words.map(String::from).into(), text: String::new(), changed: true };
+                let variable = Command {
+                    line,
+                    words: words.map(String::from).into(),
+                    text: String::new(),
+                    changed: true,
+                };
                 c.set(1, format!("${{{name}}}"));
                 all.insert(k, variable);
                 k += 1;
@@ -251,7 +263,9 @@ mod tests {
 
     #[test]
     fn steps_keep_the_time() {
-        let mut all = commands("thermo 1000\nrun 5000\ndump d all custom 200 f id\nfix i all insert/pack insert_every 50 x\n");
+        let mut all = commands(
+            "thermo 1000\nrun 5000\ndump d all custom 200 f id\nfix i all insert/pack insert_every 50 x\n",
+        );
         steps(&mut all, 0.2).unwrap();
         let text: String = all.iter().map(Command::written).collect();
         assert_eq!(
@@ -272,9 +286,13 @@ mod tests {
             shape: "peratomtypepair".into(),
             values: vec![0.5, 0.6, 0.6, 0.7],
         };
-        let mut all = commands("fix e all property/global coefficientRestitution peratomtypepair 2 .9 .9 .9 .9\n");
+        let mut all =
+            commands("fix e all property/global coefficientRestitution peratomtypepair 2 .9 .9 .9 .9\n");
         assert!(replaced(&mut all, &p));
-        assert_eq!(all[0].written(), "fix e all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7\n");
+        assert_eq!(
+            all[0].written(),
+            "fix e all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7\n"
+        );
         assert!(!replaced(&mut commands("fix e all nve\n"), &p));
     }
 }

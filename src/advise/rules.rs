@@ -3,7 +3,8 @@
 //!
 //! *Which classes count.* Impacts are classed by octave of speed and by slip, lasting contacts by octave of load and by
 //! pull, per pair of types and per wall. A class counts with a share of [`IMPORTANT`] of all impacts, of the momentum
-//! exchanged, or of the work dissipated. Where the classes together stand for less than [`COVERED`], there is no advice.
+//! exchanged, or of the work dissipated; so do the next larger ones until [`COVERED`] of the impacts and of the momentum is
+//! reached. Where all classes together do not reach it, there is no advice.
 //!
 //! *Which errors.* Those of [`super::Errors`], each held to the accuracy in every class, against the deck's own laws in
 //! very small steps ([`FINE`]). The error of a class is the mean of the sizes of its contacts' errors plus the standard

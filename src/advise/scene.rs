@@ -1,13 +1,16 @@
 //! What of a probe is lived through again: its important classes of contacts, and what the present chain makes of them.
 use super::held::{hold, Held};
 use super::lived::{self, Rebound};
-use super::rules::{FINE, IMPORTANT, PHASES, STUCK};
+use super::rules::{COVERED, FINE, IMPORTANT, PHASES, STUCK};
 use crate::chain::Chain;
 use crate::law::Reach;
 use crate::probe::{Class, Drawn, Impact, Pressed, Probe, TypePair};
 use crate::trace::{Header, HeaderError};
 use rayon::prelude::*;
 use serde::Serialize;
+
+/// Contacts of each class that a fit is made on; it is judged on all.
+const FEW: usize = 3;
 
 /// A class of contacts that is lived through again.
 #[derive(Clone, Debug, Serialize)]
@@ -149,7 +152,8 @@ impl Scene {
         let mut untried = Vec::new();
         for (k, c) in chains.iter().enumerate() {
             let laws = c.header.chain()?;
-            untried.extend(laws.laws().filter(|m| m.reach == Reach::Beyond).map(|m| (k, m.keyword.to_string())));
+            untried
+                .extend(laws.laws().filter(|m| m.reach == Reach::Beyond).map(|m| (k, m.keyword.to_string())));
         }
         let tried = |k: &usize| untried.iter().all(|(chain, _)| chain != k);
         let sums = Sums::of(chains.iter().enumerate().filter(|(k, _)| tried(k)).flat_map(|(_, c)| &c.pairs));
@@ -162,8 +166,9 @@ impl Scene {
                 groups.extend(p.pressed.iter().map(|l| sums.group((k, &c.header.who), p, l, false)));
             }
         }
-        groups.retain(|g: &Group| g.count.max(g.impulse).max(g.dissipated) >= IMPORTANT);
-        let (mut count, mut impulse) = groups.iter().fold((0.0, 0.0), |(c, i), g| (c + g.count, i + g.impulse));
+        counting(&mut groups);
+        let (mut count, mut impulse) =
+            groups.iter().fold((0.0, 0.0), |(c, i), g| (c + g.count, i + g.impulse));
         // Of none they are all.
         count = if sums.count > 0.0 { count } else { 1.0 };
         impulse = if sums.impulse > 0.0 { impulse } else { 1.0 };
@@ -177,9 +182,13 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The same with some of its groups.
+    /// The same with some of its groups, and a few contacts of each.
     pub(super) fn only(&self, of: impl Fn(&Group) -> bool) -> Scene {
-        let groups = self.groups.iter().filter(|g| of(g)).cloned().collect();
+        let mut groups: Vec<_> = self.groups.iter().filter(|g| of(g)).cloned().collect();
+        groups.iter_mut().for_each(|g| match &mut g.contacts {
+            Contacts::Impacts(all) => all.truncate(FEW),
+            Contacts::Loads(all) => all.truncate(FEW),
+        });
         Scene { chains: self.chains.clone(), calls: self.calls.clone(), untried: Vec::new(), groups, ..*self }
     }
 
@@ -313,6 +322,26 @@ fn astray(l: &Pressed, truth: &Held, got: &Held) -> Errors {
         tension: (got.tension - truth.tension).abs(),
         ..Errors::default()
     }
+}
+
+/// Leaves the classes that count: those with a share of their own, and the next larger ones as far as they are needed to
+/// cover the scene.
+fn counting(groups: &mut Vec<Group>) {
+    let mut counts: Vec<bool> =
+        groups.iter().map(|g| g.count.max(g.impulse).max(g.dissipated) >= IMPORTANT).collect();
+    for share in [|g: &Group| g.count, |g: &Group| g.impulse] {
+        let mut order: Vec<_> = (0..groups.len()).collect();
+        order.sort_by(|a, b| share(&groups[*b]).total_cmp(&share(&groups[*a])));
+        let mut covered: f64 = order.iter().filter(|k| counts[**k]).map(|k| share(&groups[*k])).sum();
+        for k in order {
+            if covered < COVERED && !counts[k] {
+                counts[k] = true;
+                covered += share(&groups[k]);
+            }
+        }
+    }
+    let mut counts = counts.into_iter();
+    groups.retain(|_| counts.next() == Some(true));
 }
 
 /// What shares are of.

@@ -1,17 +1,59 @@
 //! Advice as text for a terminal.
+use super::check::Check;
+use super::fresh::Fresh;
 use super::ladder::Rung;
 use super::lines::{number, percent};
-use super::{Advice, Term};
+use super::{Advice, Found, Term};
 use std::fmt::{self, Write};
 
 /// Terms with a smaller share than this of everything are left to the JSON.
 const SMALL: f64 = 0.005;
 
-/// The whole advice.
-pub fn text(a: &Advice) -> String {
+/// The whole advice, and what came of it.
+pub fn text(found: &Found) -> String {
     let mut t = String::new();
-    tell(&mut t, a).expect("a String takes everything");
+    let mut all = || -> fmt::Result {
+        tell(&mut t, &found.advice)?;
+        found.check.iter().try_for_each(|c| checked(&mut t, c))?;
+        found.fresh.iter().try_for_each(|f| tried_again(&mut t, f, found.advice.options.time))
+    };
+    all().expect("a String takes everything");
     t
+}
+
+fn checked(t: &mut String, c: &Check) -> fmt::Result {
+    writeln!(t, "\nThe whole scene, deck against advised deck; {} allowed", percent(c.bound))?;
+    for o in &c.observables {
+        let sign = if o.within(c.bound) { " " } else { "x" };
+        let scatter = o.scatter.map_or(String::new(), |s| format!("({} between seeds)", percent(s)));
+        writeln!(t, "{sign} {:<20} {:>8} {scatter:<22} {}", o.name, percent(o.difference), o.meaning)?;
+    }
+    let predicted = c.predicted.map_or(String::new(), |p| format!("; {} predicted", percent(p)));
+    let [deck, advised] = c.seconds;
+    writeln!(t, "  time {deck:.2} s and {advised:.2} s: {} of it{predicted}", percent(c.measured()))
+}
+
+fn tried_again(t: &mut String, f: &Fresh, time: f64) -> fmt::Result {
+    writeln!(t, "\nFresh contacts of a run with {}\n  {}", f.run, tallied(f))?;
+    for c in f.classes.iter().filter(|c| !c.within) {
+        let (what, size) = c.errors.worst(time);
+        writeln!(t, "x {what} wrong by {} in {}", percent(size), c.name)?;
+    }
+    Ok(())
+}
+
+/// How many fresh classes are within the accuracy.
+pub(super) fn tallied(f: &Fresh) -> String {
+    let [(i, impacts), (l, loads)] = [true, false].map(|k| f.tally(k));
+    format!(
+        "within the accuracy are {i} of {impacts} classes of impacts and {l} of {loads} of lasting contacts"
+    )
+}
+
+/// Three digits.
+pub(super) fn digits(x: f64) -> String {
+    let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
+    super::lines::number(short)
 }
 
 fn tell(t: &mut String, a: &Advice) -> fmt::Result {

@@ -233,14 +233,22 @@ fn laws(
         let torque_i = torque(s.torque_i, before.torque_i);
         let torque_j =
             if x.gap.call.is_wall { Vector3::zeros() } else { torque(s.torque_j, before.torque_j) };
-        shares[k].work += motion.power(&force, &torque_i, &torque_j) * dt * weight;
-        shares[k].impulse += force.norm() * dt * weight;
-        shares[k].turn += torque_i.norm() * dt * weight;
+        add(&mut shares[k].work, motion.power(&force, &torque_i, &torque_j) * dt * weight);
+        add(&mut shares[k].impulse, force.norm() * dt * weight);
+        add(&mut shares[k].turn, torque_i.norm() * dt * weight);
         before = *s;
     });
     let (ours, theirs) = (all.force * call.share, call.force);
-    let residual = if ours == theirs { 0.0 } else { (ours - theirs).norm() / theirs.norm() };
+    let residual = if ours == theirs { 0.0 } else { (ours - theirs).norm() / ours.norm().max(theirs.norm()) };
     (load, residual)
+}
+
+/// Adds what is a number: the overlap of surfaces that meet to the last bit may come out below zero, for which some springs
+/// have none, where a bond stands in their place.
+fn add(sum: &mut f64, x: f64) {
+    if x.is_finite() {
+        *sum += x;
+    }
 }
 
 /// Whether a pair of particles is among the one in `share` that are followed; `share` is a power of two.

@@ -59,7 +59,8 @@ pub struct Contacts {
     pub calls: u64,
     /// Calls of followed contacts.
     pub followed: u64,
-    /// Largest difference between the force of the Rust laws and that of the run, relative to it; 0 without Rust laws.
+    /// Largest difference between the force of the Rust laws and that of the run, relative to the larger; 0 without Rust
+    /// laws.
     pub residual: f64,
     /// Per pair of atom types.
     pub pairs: Vec<TypePair>,

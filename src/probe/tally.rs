@@ -191,7 +191,8 @@ impl Directions {
 impl LawShare {
     /// A branch held for a time \[s\], with the power that went into the dashpot \[W\].
     pub(super) fn observed(&mut self, branch: &'static str, damped: f64, time: f64) {
-        self.damped += damped * time;
+        // See `add` of the follower.
+        self.damped += if damped.is_finite() { damped * time } else { 0.0 };
         self.branches.add(branch, time, || branch.into());
     }
 

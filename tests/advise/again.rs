@@ -1,9 +1,11 @@
 //! Contacts lived through again, against closed forms and against what the run made of them.
-use super::made::{bed, friction, header, hertz, hooke, impact, pressed, rolling, scene, MASS, RADIUS};
+use super::made::{
+    bed, friction, header, hertz, hooke, hysteresis, impact, pressed, rolling, scene, MASS, RADIUS,
+};
 use approx::assert_relative_eq;
 use granlaw::advise::held::hold;
 use granlaw::advise::lived;
-use granlaw::probe::Partners;
+use granlaw::probe::{Partners, Pressed};
 use std::f64::consts::PI;
 
 const DT: f64 = 1e-7;
@@ -96,6 +98,26 @@ fn a_load_is_borne_by_spring_friction_and_rolling_resistance() {
     assert_eq!(slippery.torque, [0.0; 2]);
     let creeping = super::made::law("tangential", "no_history", &[("coefficientFriction", 0.3)]);
     assert_eq!(held(vec![hooke(0.8), creeping]).shear, 0.0);
+}
+
+#[test]
+fn attraction_is_borne_as_far_as_it_was_and_needs_adhesion() {
+    let k = stiffness(0.5 * RADIUS, 0.5 * MASS);
+    let mut load = pressed(0.1, 0.0, k);
+    // Pressed ten times as hard before, and never pulled.
+    load.push = 1.0;
+    let held = |load: &Pressed, laws| hold(&mut header(1e-6, laws).chain().unwrap(), load, 1e-6);
+    assert_eq!(held(&load, vec![hysteresis(0.05)]).tension, 0.0);
+    load.pull = f64::INFINITY;
+    let most = held(&load, vec![hysteresis(0.05)]).tension;
+    assert!(most > 1e-3, "{most}");
+    load.pull = 0.5 * most * load.normal;
+    assert_relative_eq!(held(&load, vec![hysteresis(0.05)]).tension, 0.5 * most, max_relative = 1e-12);
+    assert_eq!(held(&load, vec![hooke(0.5)]).tension, 0.0);
+    // What was pressed harder stays flatter: the overlap under the same load is larger.
+    let soft = held(&pressed(0.1, 0.0, k), vec![hysteresis(0.05)]).overlap;
+    assert!(held(&load, vec![hysteresis(0.05)]).overlap > 1.01 * soft);
+    assert_relative_eq!(held(&load, vec![hooke(0.5)]).overlap, 0.1 / k, max_relative = 2e-3);
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Scenes for which the right advice is known.
 use super::made::{bed, friction, header, hertz, hooke, hysteresis, rolling, scene};
 use approx::assert_relative_eq;
-use granlaw::advise::{advise, Advice, AdviceError, Change, Options, Rung};
+use granlaw::advise::fresh::fresh;
+use granlaw::advise::{advise, Advice, AdviceError, Change, Options, Rung, Scene};
 use granlaw::law::Kind;
 use granlaw::probe::Probe;
 use granlaw::trace::HeaderError;
@@ -127,7 +128,7 @@ fn lines_say_what_to_put_where() {
     };
     assert_eq!(a.lines[0].text, expected);
     assert!(a.lines.last().unwrap().text.starts_with("timestep "), "{:?}", a.lines);
-    let text = granlaw::advise::text(&a);
+    let text = granlaw::advise::text(&granlaw::advise::Found { advice: a, check: None, fresh: None });
     assert!(text.contains("made.in: what each term contributes") && text.contains(expected), "{text}");
 }
 
@@ -158,4 +159,23 @@ fn terms_are_ranked_by_what_they_dissipate() {
     assert!(a.terms.windows(2).all(|w| w[0].dissipated >= w[1].dissipated));
     assert!(share("history").dissipated > 0.2 && share("spring").dissipated > share("dashpot").dissipated);
     assert_relative_eq!(share("history").impulse + share("spring").impulse, 1.0, max_relative = 1e-12);
+}
+
+#[test]
+fn advice_holds_on_other_contacts_and_a_wrong_fit_does_not() {
+    let h = header(1e-6, vec![hooke(0.8)]);
+    let (a, deck) = advise(&scene(&h, &speeds(0.0, 0.0)), Options::default()).unwrap();
+    let others: Vec<_> = speeds(0.0, 0.0).iter().map(|[v, ..]| [1.07 * v, 0.0, 0.0]).collect();
+    let other = Scene::of(&scene(&h, &others)).unwrap();
+    let mut rung = a.ladder[a.chosen.unwrap()].clone();
+    let tried = |rung: &Rung| fresh(&other, &deck, rung, "speeds=other", &Options::default()).unwrap();
+    let good = tried(&rung);
+    assert!(good.holds() && good.tally(true).1 >= 3 && good.tally(false) == (0, 0));
+    for p in rung.chains.iter_mut().flat_map(|h| &mut h.laws).flat_map(|l| &mut l.properties) {
+        if p.name == "coefficientRestitution" {
+            p.values = vec![0.7];
+        }
+    }
+    let bad = tried(&rung);
+    assert!(!bad.holds() && bad.tally(true).0 == 0);
 }

@@ -1,9 +1,14 @@
 //! `granlaw advise`: how simple a model a scene bears, and how large a step.
-use anyhow::Context;
-use granlaw::advise::{self, Options};
+use anyhow::{bail, Context};
+use granlaw::advise::check::{check, with, CheckError, Runner};
+use granlaw::advise::fresh::fresh;
+use granlaw::advise::rewrite::rewrite;
+use granlaw::advise::{self, rules, Found, Options, Rung, Scene};
 use granlaw::deck::Deck;
-use granlaw::liggghts::{self, Folder, Host, Laws, Plugin, Preload};
+use granlaw::liggghts::{self, Host, Plugin};
 use granlaw::probe::Probe;
+use granlaw::report::page::{check_page_target, write_page};
+use granlaw::report::About;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -20,8 +25,11 @@ use std::time::Duration;
   granlaw advise deck.in
   granlaw run --probe scene.json -- -in deck.in && granlaw advise scene.json
   granlaw advise scene.json --accuracy 0.05 --time-accuracy 0.5
+  granlaw advise scenes/settling_box.in --check --held-out --out advice
+  granlaw advise deck.in --check --advised by_hand.in
 
-Exit status: 0 there is advice, 1 no model that was tried is within the accuracy, 2 something could not run.")]
+Exit status: 0 there is advice, and it holds where it was held to something; 1 no model that was tried is within the
+accuracy, or something is outside of its bounds; 2 something could not run.")]
 pub struct Args {
     /// A deck, or a probe that `granlaw run --probe` wrote.
     #[arg(value_name = "DECK|PROBE")]
@@ -33,6 +41,27 @@ pub struct Args {
     /// Largest error of contact times, where they matter less; by default as --accuracy.
     #[arg(long, value_name = "ERROR", value_parser = error)]
     time_accuracy: Option<f64>,
+    /// Run the deck and the advised deck in full, and compare bulk observables and times: four runs.
+    #[arg(long)]
+    check: bool,
+    /// Largest difference of a bulk observable.
+    #[arg(long, value_name = "PART", default_value_t = rules::BULK, value_parser = error)]
+    bound: f64,
+    /// Try the advised model on the contacts of another run, which --fresh tells apart from the first.
+    #[arg(long)]
+    held_out: bool,
+    /// The variable of the deck that gives the other run its start, and a value for it.
+    #[arg(long, value_name = "NAME=VALUE", default_value = "seed=32452867", value_parser = variable)]
+    fresh: (String, String),
+    /// Check this deck in place of the one that is made from the advice.
+    #[arg(long, value_name = "DECK", requires = "check")]
+    advised: Option<PathBuf>,
+    /// Write the advised deck to this file.
+    #[arg(long, value_name = "FILE")]
+    write_deck: Option<PathBuf>,
+    /// Folder for the report: index.html with histograms and the ladder of models, CSV, JSON; an earlier one is replaced.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     /// Write everything that was found to this file as JSON.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -46,20 +75,45 @@ fn error(text: &str) -> Result<f64, String> {
     limit.ok_or("must be a number between 0 and 1, such as 0.02".into())
 }
 
+fn variable(text: &str) -> Result<(String, String), String> {
+    let parts = text.split_once('=').filter(|(name, value)| !name.is_empty() && !value.is_empty());
+    parts.map(|(n, v)| (n.into(), v.into())).ok_or("must be NAME=VALUE, such as seed=32452867".into())
+}
+
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    let probe = match is_probe(&args.scene)? {
-        true => Probe::read(&args.scene)?,
-        false => probed(args)?,
-    };
+    args.out.iter().try_for_each(|dir| check_page_target(dir))?;
     let options =
         Options { accuracy: args.accuracy, time: args.time_accuracy.map_or(1.0, |t| t / args.accuracy) };
-    let (advice, _) = advise::advise(&probe, options)?;
+    let (found, probe, about) = if is_probe(&args.scene)? {
+        if args.check || args.held_out || args.write_deck.is_some() {
+            bail!("{} is a probe; --check, --held-out and --write-deck need the deck", args.scene.display());
+        }
+        let probe = Probe::read(&args.scene)?;
+        let (advice, _) = advise::advise(&probe, options)?;
+        (Found { advice, check: None, fresh: None }, probe, About::default())
+    } else {
+        on_deck(args, options)?
+    };
     if let Some(path) = &args.json {
-        let text = serde_json::to_string_pretty(&advice)?;
+        let text = serde_json::to_string_pretty(&found)?;
         std::fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
-    crate::print(&advise::text(&advice));
-    Ok(ExitCode::from(u8::from(advice.chosen.is_none())))
+    crate::print(&advise::text(&found));
+    if let Some(dir) = &args.out {
+        write_page(&advise::page(&found, &probe, described(about)), dir)?;
+        crate::print(&format!("\n{}\n", dir.join("index.html").display()));
+    }
+    Ok(ExitCode::from(u8::from(!found.holds())))
+}
+
+fn described(about: About) -> About {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    About {
+        granlaw: env!("CARGO_PKG_VERSION").into(),
+        machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+        command: std::env::args().collect::<Vec<_>>().join(" "),
+        ..about
+    }
 }
 
 /// A probe is JSON, and a deck is not.
@@ -69,23 +123,79 @@ fn is_probe(path: &Path) -> anyhow::Result<bool> {
     Ok(file.read(&mut first)? == 1 && first == *b"{")
 }
 
-/// Runs the deck in a folder of its own.
-fn probed(args: &Args) -> anyhow::Result<Probe> {
+/// Runs the deck, each time in a folder of its own.
+fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About)> {
     ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
     let deck = Deck::read(&args.scene)?;
+    let text = read(&args.scene)?;
     let (host, plugin) = (Host::find()?, Plugin::find()?);
     eprintln!("granlaw: plugin {}", plugin.path.display());
-    let folder = Folder::new(&deck)?;
-    let path = folder.path().join("granlaw-probe.json");
-    let preload = Preload {
-        plugin: &plugin,
-        laws: Laws::Stock,
-        record: None,
-        every: 1,
-        probe: Some(path.clone()),
-        deck: Some(deck.file()),
-        route: None,
+    let about = About {
+        liggghts: Some(host.version.clone()),
+        plugin: Some(plugin.path.display().to_string()),
+        ..About::default()
     };
-    folder.run(&host, &deck, Some(&preload), Duration::from_secs_f64(args.time_limit))?;
-    Ok(Probe::read(&path)?)
+    let limit = Duration::from_secs_f64(args.time_limit);
+    let runner = Runner { host: &host, plugin: &plugin, deck: &deck, limit };
+    eprintln!("granlaw: {} runs with a probe", deck.file());
+    let probe = runner.probe(&text)?;
+    eprintln!("granlaw: models and steps are tried on its contacts");
+    let (advice, scene) = advise::advise(&probe, options)?;
+    let rung = advice.chosen.map(|k| advice.ladder[k].clone());
+    let mut found = Found { advice, check: None, fresh: None };
+    let Some(rung) = rung else { return Ok((found, probe, about)) };
+    let other = if args.held_out { Some(again(args, &runner, &text, &probe)?) } else { None };
+    if let Some(other) = &other {
+        let (name, value) = &args.fresh;
+        let run = format!("{name}={value}");
+        found.fresh = Some(fresh(&Scene::of(other)?, &scene, &rung, &run, &options)?);
+    }
+    advised(args, &runner, &text, (&scene, &rung), (&probe, other.as_ref()), &mut found)?;
+    Ok((found, probe, about))
+}
+
+fn read(path: &Path) -> anyhow::Result<String> {
+    std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// The probe of a run with other contacts.
+fn again(args: &Args, runner: &Runner<'_>, text: &str, first: &Probe) -> anyhow::Result<Probe> {
+    let (name, value) = &args.fresh;
+    eprintln!("granlaw: it runs again, with {name}={value}");
+    let other = runner.probe(&with(text, name, value))?;
+    if other.chains == first.chains {
+        return Err(CheckError::Same(format!("{name}={value}")).into());
+    }
+    Ok(other)
+}
+
+/// Makes the advised deck, and runs it if that is asked for.
+fn advised(
+    args: &Args,
+    runner: &Runner<'_>,
+    text: &str,
+    (scene, rung): (&Scene, &Rung),
+    probes: (&Probe, Option<&Probe>),
+    found: &mut Found,
+) -> anyhow::Result<()> {
+    let made = match &args.advised {
+        Some(path) => read(path)?,
+        None if args.check || args.write_deck.is_some() => rewrite(text, scene, rung)?,
+        None => return Ok(()),
+    };
+    if let Some(path) = &args.write_deck {
+        std::fs::write(path, &made).with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    if !args.check {
+        return Ok(());
+    }
+    if made == text {
+        eprintln!("granlaw: the deck stays as it is, so there is nothing to check");
+        return Ok(());
+    }
+    eprintln!("granlaw: the advised deck runs with a probe, then both run without");
+    // A deck that somebody names may do anything; whether it does right is what the check is for.
+    let expected = Some(rung).filter(|_| args.advised.is_none());
+    found.check = Some(check(runner, (text, &made), probes, expected, args.bound)?);
+    Ok(())
 }
