@@ -9,8 +9,8 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod bench;
 pub mod advise;
+pub mod bench;
 pub mod chain;
 pub mod compare;
 pub mod deck;

@@ -160,7 +160,8 @@ impl Fastest {
     }
 
     pub(super) fn meet(&mut self, other: Fastest) {
-        if other.omega() > self.omega() {
+        // On the kink between two branches a law may tell an infinite tangent.
+        if other.omega().is_finite() && other.omega() > self.omega() {
             *self = other;
         }
     }

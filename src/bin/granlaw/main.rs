@@ -3,8 +3,8 @@ use clap::{Parser, Subcommand};
 use std::io::Write;
 use std::process::ExitCode;
 
-mod bench;
 mod advise;
+mod bench;
 mod laws;
 mod replay;
 mod run;
