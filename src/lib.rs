@@ -13,6 +13,7 @@ pub mod advise;
 pub mod bench;
 pub mod chain;
 pub mod compare;
+pub mod critical;
 pub mod deck;
 pub mod lane;
 pub mod law;

@@ -58,13 +58,24 @@ pub struct Preload<'a> {
     pub shadow: Option<f64>,
     /// File name of the deck, for the traces.
     pub deck: Option<String>,
+    /// A probed run ends in order after so many steps.
+    pub steps: Option<u64>,
+    /// Whether to warn when the time step is too long for a contact.
+    pub alarm: bool,
     /// How the pair style goes through its contacts; without it, batched where possible.
     pub route: Option<Route>,
     /// How many contacts go side by side; without it, as many as the processor has registers for.
     pub lanes: Option<u32>,
 }
 
-impl Preload<'_> {
+impl<'a> Preload<'a> {
+    /// The plugin with its laws, and nothing else to do.
+    pub fn new(plugin: &'a Plugin, laws: Laws) -> Preload<'a> {
+        let (record, every, probe, shadow, deck) = (None, 1, None, None, None);
+        let (steps, alarm, route, lanes) = (None, false, None, None);
+        Preload { plugin, laws, record, every, probe, shadow, deck, steps, alarm, route, lanes }
+    }
+
     /// The environment that carries this to the plugin.
     pub fn env(&self) -> Vec<(&'static str, String)> {
         let laws = match self.laws {
@@ -81,6 +92,8 @@ impl Preload<'_> {
         let route = self.route.map(|r| if r == Route::Batched { "batched" } else { "contact" });
         env.extend(route.map(|r| ("GRANLAW_PATH", r.into())));
         env.extend(self.lanes.map(|n| ("GRANLAW_LANES", n.to_string())));
+        env.extend(self.steps.map(|n| ("GRANLAW_STEPS", n.to_string())));
+        env.extend(self.alarm.then(|| ("GRANLAW_TIMESTEP", "warn".into())));
         env.extend(self.probe.iter().map(|p| ("GRANLAW_PROBE", p.display().to_string())));
         if let Some(tolerance) = self.shadow {
             env.push(("GRANLAW_SHADOW", "on".into()));
@@ -220,7 +233,7 @@ fn listed(root: &Path) -> Result<HashMap<PathBuf, (u64, Option<SystemTime>)>, Ru
 fn clean(program: &Path) -> Command {
     let mut command = Command::new(program);
     command.env_remove("LD_PRELOAD");
-    for name in ["LAWS", "RECORD", "EVERY", "PROBE", "SHADOW", "TOLERANCE", "DECK"] {
+    for name in ["LAWS", "RECORD", "EVERY", "PROBE", "STEPS", "TIMESTEP", "SHADOW", "TOLERANCE", "DECK"] {
         command.env_remove(format!("GRANLAW_{name}"));
     }
     command

@@ -21,5 +21,7 @@ mod run;
 mod stop;
 #[path = "cli/study.rs"]
 mod study;
+#[path = "cli/timestep.rs"]
+mod timestep;
 #[path = "cli/verify.rs"]
 mod verify;

@@ -9,3 +9,5 @@ mod maps;
 mod methods;
 #[path = "study/pages.rs"]
 mod pages;
+#[path = "study/timestep.rs"]
+mod timestep;

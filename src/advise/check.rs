@@ -100,18 +100,7 @@ impl Runner<'_> {
     }
 
     fn preload(&self) -> Preload<'_> {
-        let (plugin, deck) = (self.plugin, Some(self.deck.file()));
-        Preload {
-            plugin,
-            laws: Laws::Own,
-            record: None,
-            every: 1,
-            probe: None,
-            deck,
-            route: None,
-            lanes: None,
-            shadow: None,
-        }
+        Preload { deck: Some(self.deck.file()), ..Preload::new(self.plugin, Laws::Own) }
     }
 }
 

@@ -140,17 +140,8 @@ impl<'a> Job<'a> {
             Side::Lanes(n) => (batched, Some(n)),
             _ => (batched, None),
         };
-        let preload = Preload {
-            plugin: self.plugin,
-            laws: Laws::Rust,
-            record: None,
-            every: 1,
-            probe: None,
-            shadow: None,
-            deck: Some(self.deck.file()),
-            route,
-            lanes,
-        };
+        let preload =
+            Preload { deck: Some(self.deck.file()), route, lanes, ..Preload::new(self.plugin, Laws::Rust) };
         let rust = side != Side::Stock;
         let deck = Deck { variables: vec![("rust".into(), u8::from(rust).to_string())], ..self.deck.clone() };
         let folder = Folder::new(&deck)?;

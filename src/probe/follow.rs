@@ -38,6 +38,8 @@ pub struct Follower {
     before: u64,
     touching: usize,
     history: Vec<f64>,
+    /// The pairs of types for which the time step was said to be too long.
+    told: Vec<bool>,
     /// Momentum that a wall handed to particles \[N s\]; zero for the pair style.
     pub(super) impulse: Vector3<f64>,
 }
@@ -55,7 +57,7 @@ impl Follower {
         });
         let places = vec![None; header.types * header.types];
         let contacts = Contacts { header, share: 1, calls: 0, followed: 0, residual: 0.0, pairs: Vec::new() };
-        let (live, history) = (FxHashMap::default(), Vec::new());
+        let (live, history, told) = (FxHashMap::default(), Vec::new(), Vec::new());
         Follower {
             contacts,
             chain,
@@ -68,12 +70,18 @@ impl Follower {
             before: 0,
             touching: 0,
             history,
+            told,
             impulse: Vector3::zeros(),
         }
     }
 
     pub(super) fn header(&self) -> &Header {
         &self.contacts.header
+    }
+
+    /// The pairs of types so far, and of which the alarm was told.
+    pub(super) fn told(&mut self) -> (&[TypePair], &mut Vec<bool>) {
+        (&self.contacts.pairs, &mut self.told)
     }
 
     pub(super) fn calls(&self) -> u64 {

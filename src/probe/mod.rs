@@ -4,9 +4,11 @@
 //! followed at a time; in larger scenes an even sample of them, each counting for those that it stands for. What is
 //! kept are counts, sums, histograms, and a few examples of every class of impact and of load, per pair of atom types
 //! and per wall fix. The ranks' probes are merged into one JSON file, a [`Probe`].
+mod alarm;
 mod bulk;
 mod examples;
 mod follow;
+mod grains;
 mod histogram;
 mod live;
 mod session;
@@ -16,6 +18,7 @@ mod work;
 pub use bulk::{Bulk, Sample, SAMPLES};
 pub use examples::{Class, Drawn, End, Impact, Partners, Pressed, KEPT};
 pub use follow::{Follower, FOLLOWED};
+pub use grains::Grains;
 pub use histogram::{Bin, Histogram};
 pub use session::{Particles, Session};
 pub use tally::{Branches, Counts, Directions, Fastest, Impulse, LawShare, TypePair};
@@ -43,6 +46,9 @@ pub struct Probe {
     pub seconds: f64,
     /// The pair style and each wall fix; once more where a deck changes laws, coefficients or time step.
     pub chains: Vec<Contacts>,
+    /// The particles by type.
+    #[serde(default)]
+    pub grains: Vec<Grains>,
     /// The scene as a whole.
     pub bulk: Bulk,
 }
@@ -132,6 +138,7 @@ impl Probe {
                 None => self.chains.push(chain),
             }
         }
+        grains::merge(&mut self.grains, &other.grains);
         self.bulk.merge(other.bulk);
         self.seconds = self.seconds.max(other.seconds);
     }
@@ -199,7 +206,8 @@ impl Probe {
 }
 
 impl Contacts {
-    fn merge(&mut self, other: Contacts) {
+    /// Adds what was seen elsewhere of the same chain.
+    pub(crate) fn merge(&mut self, other: Contacts) {
         self.share = self.share.max(other.share);
         self.calls += other.calls;
         self.followed += other.followed;

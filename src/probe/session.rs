@@ -1,6 +1,7 @@
 //! All chains of a run on one rank.
 use super::bulk::{Bulk, Clock, Sample};
 use super::follow::{Follower, FOLLOWED};
+use super::grains::{self, Grains};
 use super::{Probe, FORMAT};
 use crate::trace::Header;
 use std::time::Instant;
@@ -10,6 +11,7 @@ use std::time::Instant;
 pub struct Session {
     followers: Vec<Follower>,
     ranks: usize,
+    grains: Vec<Grains>,
     bulk: Bulk,
     clock: Clock,
     /// When the first step and the latest began.
@@ -19,6 +21,8 @@ pub struct Session {
 /// The particles of a rank.
 #[derive(Clone, Copy, Debug)]
 pub struct Particles<'a> {
+    /// Atom types, from 1.
+    pub kind: &'a [i32],
     /// Masses \[kg\].
     pub mass: &'a [f64],
     /// Radii \[m\].
@@ -66,6 +70,7 @@ impl Session {
     /// The particles in a step for which [`Session::tick`] asked.
     pub fn sample(&mut self, step: i64, p: &Particles<'_>) {
         let mut s = Sample { step, time: self.clock.time, ..Sample::default() };
+        grains::sample(&mut self.grains, p);
         for (k, size) in p.mass.iter().zip(p.radius).enumerate() {
             let at = 3 * k..3 * k + 3;
             s.particle((*size.0, *size.1), &p.x[at.clone()], &p.v[at.clone()], &p.omega[at]);
@@ -83,8 +88,9 @@ impl Session {
 
     /// The run is over.
     pub fn finish(self) -> Probe {
-        let chains = self.followers.into_iter().map(Follower::finish).collect();
-        let seconds = self.began.map_or(0.0, |[first, last]| (last - first).as_secs_f64());
-        Probe { format: FORMAT.into(), ranks: self.ranks.max(1), seconds, chains, bulk: self.bulk }
+        let Session { followers, ranks, grains, bulk, began, .. } = self;
+        let chains = followers.into_iter().map(Follower::finish).collect();
+        let seconds = began.map_or(0.0, |[first, last]| (last - first).as_secs_f64());
+        Probe { format: FORMAT.into(), ranks: ranks.max(1), seconds, chains, grains, bulk }
     }
 }

@@ -12,6 +12,8 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 /// Levels of extrapolation.
 const LEVELS: usize = 6;
+/// Law evaluations after which a contact counts as one that does not end: some ten times what the finest takes.
+const MOST: u64 = 5_000_000;
 
 /// What to reach.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +55,7 @@ impl<'a> Solver<'a> {
         let mut seen = Outcome::default();
         let mut h = 1e-3 * duration * longest.min(1.0);
         let shortest = 1e-13 * duration;
-        while at.time < 100.0 * duration && at.vn.is_finite() {
+        while at.time < 100.0 * duration && at.vn.is_finite() && self.motion.calls < MOST {
             seen.peak = seen.peak.max(at.stage.fn_);
             if with_force {
                 seen.force.push((at.time, at.stage.fn_));

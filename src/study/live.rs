@@ -140,17 +140,7 @@ impl Bench {
         let deck = Deck::read(&path)?;
         let folder = Folder::new(&deck)?;
         let laws = if who == Who::TakenOver { Laws::Rust } else { Laws::Own };
-        let preload = Preload {
-            plugin: &self.plugin,
-            laws,
-            record: None,
-            every: 1,
-            probe: None,
-            shadow: None,
-            deck: None,
-            route: None,
-            lanes: None,
-        };
+        let preload = Preload::new(&self.plugin, laws);
         let preload = (who != Who::Stock).then_some(&preload);
         let ran = folder.run(&self.host, &deck, preload, self.limit)?;
         Ok((folder, ran))

@@ -11,8 +11,12 @@ pub struct Shot {
     pub radius: f64,
     /// Radius of j over that of i.
     pub ratio: f64,
-    /// Density of both \[kg/m³\].
+    /// Density of i \[kg/m³\].
     pub density: f64,
+    /// Density of j over that of i.
+    pub heavier: f64,
+    /// Atom types, from 0; of a wall, that of its material.
+    pub types: (usize, usize),
     /// Whether i meets a wall.
     pub wall: bool,
     /// Normal speed of approach \[m/s\].
@@ -64,6 +68,12 @@ pub struct Outcome {
 }
 
 impl Shot {
+    /// Two equal spheres that meet head-on.
+    pub const fn head_on(radius: f64, density: f64, speed: f64) -> Shot {
+        let (ratio, heavier, types) = (1.0, 1.0, (0, 0));
+        Shot { radius, ratio, density, heavier, types, wall: false, speed, slide: 0.0, rest: None }
+    }
+
     /// The bodies, just touching.
     pub fn bodies(&self) -> [Body; 2] {
         let sphere = |tag: i64, radius: f64| Body {
@@ -73,6 +83,7 @@ impl Shot {
             ..Body::default()
         };
         let (mut i, mut j) = (sphere(1, self.radius), sphere(2, self.radius * self.ratio));
+        j.mass *= self.heavier;
         if let Some(rest) = self.rest {
             (i.x, i.v) = (Vector3::z() * (i.radius - rest.sunk), Vector3::new(self.slide, 0.0, -self.speed));
             if rest.rolls {
@@ -111,7 +122,7 @@ impl Shot {
             false => Partner::Free,
         };
         let gravity = Vector3::z() * self.rest.map_or(0.0, |r| -r.gravity);
-        let (types, opened) = ((0, 0), Opened::Keeps);
+        let (types, opened) = (self.types, Opened::Keeps);
         Start { bodies, types, partner, dt, steps, first: 0, gravity, opened }
     }
 

@@ -223,6 +223,13 @@ impl Header {
         Ok(Chain::new(&self.setups()?, &self.offsets())?)
     }
 
+    /// The law that keeps bonds, if there is one.
+    pub fn bonds(&self) -> Option<&LawSpec> {
+        let keeps =
+            |l: &&LawSpec| l.kind().and_then(|k| find(k, &l.keyword)).is_some_and(|e| e.meta.bonds.is_some());
+        self.laws.iter().find(keeps)
+    }
+
     /// The law of a kind.
     pub fn law(&self, kind: Kind) -> Option<&LawSpec> {
         self.laws.iter().find(|l| l.kind() == Some(kind))

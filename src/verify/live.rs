@@ -96,15 +96,10 @@ impl Trial<'_> {
     fn attempt(&self, first: Option<Laws>, mode: Option<(Laws, bool)>) -> Result<Attempt, RunError> {
         let Bench { host, plugin, limit } = *self.bench;
         let preload = |deck: &Deck, laws, record: bool| Preload {
-            plugin,
-            laws,
             record: record.then(Folder::record),
             every: deck.every,
-            probe: None,
-            shadow: None,
             deck: Some(deck.file()),
-            route: None,
-            lanes: None,
+            ..Preload::new(plugin, laws)
         };
         let folder = Folder::new(self.deck)?;
         if let Some(before) = &self.first {

@@ -70,9 +70,20 @@ impl Scratch {
     /// A command that runs here, with nothing in its environment that speaks to granlaw.
     pub fn command(&self, program: &Path) -> Command {
         let mut command = Command::new(program);
-        for name in
-            ["PLUGIN", "LAWS", "RECORD", "EVERY", "DECK", "PATH", "LANES", "PROBE", "SHADOW", "TOLERANCE"]
-        {
+        for name in [
+            "PLUGIN",
+            "LAWS",
+            "RECORD",
+            "EVERY",
+            "DECK",
+            "PATH",
+            "LANES",
+            "PROBE",
+            "STEPS",
+            "TIMESTEP",
+            "SHADOW",
+            "TOLERANCE",
+        ] {
             command.env_remove(format!("GRANLAW_{name}"));
         }
         // Ranks that wait would take the processors from those that work.

@@ -104,6 +104,9 @@ fn probing_leaves_a_run_as_it_was_and_sees_all_of_it() {
     assert!(plain == dump(), "the dumps differ");
     let probe = place.probe();
     assert_eq!(probe.ranks, 2);
+    let count: u64 = probe.grains.iter().map(|g| g.count).sum();
+    assert_eq!((probe.grains.len(), count), (2, probe.bulk.samples.last().unwrap().particles));
+    assert!(probe.grains.iter().all(|g| g.radius[0] == g.radius[1] && g.fastest > 1.0), "{:?}", probe.grains);
     let chain = &probe.chains[0];
     assert_eq!((probe.chains.len(), chain.pairs.len(), chain.residual), (1, 3, 0.0));
     let (first, last) = (probe.bulk.samples.first().unwrap(), probe.bulk.samples.last().unwrap());

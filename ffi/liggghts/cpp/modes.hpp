@@ -23,6 +23,8 @@ struct Mode {
   std::string probe;  // path of the probe, empty for none
   bool shadow = false;  // whether every call is held against the Rust laws
   double tolerance = 0.0;  // largest difference allowed then
+  uint64_t steps = 0;  // of a probed run, 0 for all
+  bool alarm = false;  // whether to say when the time step is too long
   std::string deck;
   std::string trouble;  // what is wrong with the environment
 };
@@ -57,15 +59,21 @@ inline const Mode &mode() {
     m.record = get("GRANLAW_RECORD");
     m.probe = get("GRANLAW_PROBE");
     read_shadow(m, get("GRANLAW_SHADOW"), get("GRANLAW_TOLERANCE"), laws);
+    const std::string timestep = get("GRANLAW_TIMESTEP");
+    m.alarm = timestep == "warn";
+    if (!timestep.empty() && !m.alarm) m.trouble = "GRANLAW_TIMESTEP=" + timestep + " must be warn";
     // LIGGGHTS's own laws can be watched only in our chain.
-    if (laws.empty() && (!m.record.empty() || !m.probe.empty() || m.shadow)) m.laws = Laws::stock;
+    if (laws.empty() && (!m.record.empty() || !m.probe.empty() || m.shadow || m.alarm)) m.laws = Laws::stock;
     m.deck = get("GRANLAW_DECK");
-    const std::string every = get("GRANLAW_EVERY");
-    if (!every.empty()) {
+    const auto whole = [&](const char *name, uint64_t &number) {
+      const std::string text = get(name);
+      if (text.empty()) return;
       char *end = nullptr;
-      m.every = strtoull(every.c_str(), &end, 10);
-      if (*end || m.every == 0) m.trouble = "GRANLAW_EVERY=" + every + " must be a whole number of at least 1";
-    }
+      number = strtoull(text.c_str(), &end, 10);
+      if (*end || number == 0) m.trouble = std::string(name) + "=" + text + " must be a whole number of at least 1";
+    };
+    whole("GRANLAW_EVERY", m.every);
+    whole("GRANLAW_STEPS", m.steps);
     return m;
   }();
   return m;

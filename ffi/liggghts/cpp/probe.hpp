@@ -2,6 +2,7 @@
 #ifndef GRANLAW_PROBE_HPP
 #define GRANLAW_PROBE_HPP
 
+#include <unistd.h>
 #include "gather.hpp"
 #include "modes.hpp"
 #include "recorder.hpp"
@@ -18,6 +19,8 @@ bool granlaw_probe_sees(granlaw_probe *p, size_t chain, const granlaw_pass *pass
 // What came of it: wanted of all walls and of followed contacts. `place` tells apart meshes that number their triangles alike.
 granlaw_status granlaw_probe_call(granlaw_probe *p, size_t chain, const granlaw_recorded_call *call, size_t place,
                                   bool followed);
+// Whether the time step is too long for a contact of the chain; once for each pair of types.
+bool granlaw_probe_alarm(granlaw_probe *p, size_t chain, granlaw_text *out);
 // What this rank saw; `p` is used up.
 granlaw_status granlaw_probe_pack(granlaw_probe *p, granlaw_text *out);
 // The texts of all ranks, as one file.
@@ -31,7 +34,7 @@ class Probe {
  public:
   // The one of this process, or nullptr if none is asked for.
   static Probe *of(LAMMPS *lmp) {
-    static Probe *const one = mode().probe.empty() ? nullptr : new Probe(lmp);
+    static Probe *const one = mode().probe.empty() && !mode().alarm ? nullptr : new Probe(lmp);
     if (!one) return nullptr;
     if (lmp->universe->nworlds > 1) lmp->error->all(GRANLAW_HERE, "granlaw cannot probe a run in partitions; leave -partition out");
     one->lmp_ = lmp;
@@ -46,6 +49,8 @@ class Probe {
 
   // A step begins.
   void begin(const granlaw_pass &pass) {
+    if (mode().steps && pass.step != last_ && ++seen_ > mode().steps + 1) enough();
+    last_ = pass.step;
     if (!granlaw_probe_tick(probe_, &pass)) return;
     const LAMMPS_NS::Atom *a = lmp_->atom;
     granlaw_recorded_particles p = {};
@@ -64,10 +69,13 @@ class Probe {
     if (!followed && !s.is_wall) return;
     const granlaw_recorded_call call = {&pass, mirror(s), true, s.mi, s.mj, before, before, mirror(i), mirror(j)};
     check(granlaw_probe_call(probe_, chain, &call, reinterpret_cast<size_t>(s.fix_mesh), followed));
+    granlaw_text text = {};
+    if (mode().alarm && granlaw_probe_alarm(probe_, chain, &text)) warn(std::string(text.bytes, text.length));
   }
 
  private:
   explicit Probe(LAMMPS *lmp) : probe_(granlaw_probe_new()), lmp_(lmp) {
+    if (mode().probe.empty()) return;
     // At the end of the run it would be too late to say that the file cannot be written.
     const std::string part = mode().probe + ".part";
     FILE *file = lmp->comm->me ? nullptr : fopen(part.c_str(), "w");
@@ -86,12 +94,27 @@ class Probe {
     return MPI_SUCCESS;
   }
 
+  // LIGGGHTS prints warnings on the first rank only.
+  void warn(const std::string &text) {
+    if (lmp_->screen || lmp_->logfile) lmp_->error->warning(GRANLAW_HERE, text.c_str());
+    else fprintf(stderr, "WARNING: granlaw: %s\n", text.c_str());
+  }
+
+  // Enough steps were seen: ends the run in order, on all ranks alike.
+  static void enough() {
+    fflush(nullptr);
+    MPI_Finalize();
+    _exit(0);
+  }
+
   void check(granlaw_status status) {
     if (status != GRANLAW_OK) stop(lmp_, granlaw_last_error());
   }
 
   granlaw_probe *probe_;
   LAMMPS *lmp_;
+  int64_t last_ = INT64_MIN;
+  uint64_t seen_ = 0;  // steps, the set-up among them
 };
 
 }  // namespace granlaw

@@ -23,7 +23,7 @@ fn over() -> Failure {
 
 #[no_mangle]
 extern "C" fn granlaw_probe_new() -> *mut Probing {
-    Box::into_raw(Box::new(Probing { session: Some(Session::default()), slots: Vec::new() }))
+    Box::into_raw(Box::new(Probing { session: Some(Session::default()), ..Probing::default() }))
 }
 
 #[no_mangle]
@@ -63,6 +63,7 @@ unsafe extern "C" fn granlaw_probe_sample(
         let particles = unsafe {
             let n = of.n;
             Particles {
+                kind: slice(of.kind, n),
                 mass: slice(of.mass, n),
                 radius: slice(of.radius, n),
                 x: slice(of.x, 3 * n),
@@ -128,6 +129,15 @@ unsafe extern "C" fn granlaw_probe_call(
         });
         Ok(())
     })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_alarm(p: *mut Probing, chain: usize, out: *mut Text) -> bool {
+    // SAFETY: the C++ half gives valid pointers.
+    let (p, out) = unsafe { (&mut *p, &mut *out) };
+    let Some(alarm) = p.session.as_mut().and_then(|s| s.follower(chain).alarm()) else { return false };
+    *out = Text::kept(alarm.into_bytes());
+    true
 }
 
 #[no_mangle]

@@ -10,6 +10,7 @@ mod replay;
 mod run;
 mod speed;
 mod stability;
+mod timestep;
 mod verify;
 
 /// Contact laws for LIGGGHTS, and the proof that they are right.
@@ -36,6 +37,7 @@ enum Command {
     Stability(stability::Args),
     Bench(bench::Args),
     Advise(advise::Args),
+    Timestep(timestep::Args),
 }
 
 fn main() -> ExitCode {
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
         Command::Stability(args) => stability::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::Advise(args) => advise::run(&args),
+        Command::Timestep(args) => timestep::run(&args),
     };
     done.unwrap_or_else(|error| {
         eprintln!("granlaw: {}", told(&error));

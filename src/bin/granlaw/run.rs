@@ -44,6 +44,9 @@ pub struct Args {
     /// Largest difference allowed, relative to the forces that the laws add up in a call. None is the claim, so 0 is the default.
     #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = crate::tolerance)]
     tolerance: f64,
+    /// Say once for each pair of types when the time step is too long for a contact, with the figures; contacts then go one by one.
+    #[arg(long)]
+    warn_timestep: bool,
     /// Run on N MPI ranks, with mpirun.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     np: u64,
@@ -79,7 +82,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
             bail!("{option} {}: there is no folder {}; make it first", path.display(), folder.display());
         }
     }
-    let watched = args.record.is_some() || args.probe.is_some() || args.shadow;
+    let watched = args.record.is_some() || args.probe.is_some() || args.shadow || args.warn_timestep;
     let laws = match args.laws {
         // LIGGGHTS's own laws can be watched only where they run in our chain.
         None if watched => Laws::Stock,
@@ -96,15 +99,14 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     });
     eprintln!("granlaw: plugin {}", plugin.path.display());
     let preload = Preload {
-        plugin: &plugin,
-        laws,
         record: args.record.clone(),
         every: args.every,
         probe: args.probe.clone(),
         shadow: args.shadow.then_some(args.tolerance),
         deck,
+        alarm: args.warn_timestep,
         route,
-        lanes: None,
+        ..Preload::new(&plugin, laws)
     };
     let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
     command.args(&args.liggghts);

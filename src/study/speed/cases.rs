@@ -64,8 +64,7 @@ fn matter(normal: &'static str, e: f64) -> Matter {
 }
 
 fn head_on(name: &'static str, title: &'static str, matter: Matter, speed: f64) -> Case {
-    let shot =
-        Shot { radius: 0.005, ratio: 1.0, density: 2500.0, wall: false, speed, slide: 0.0, rest: None };
+    let shot = Shot::head_on(0.005, 2500.0, speed);
     Case { name, title, matter, shot, measure: Measure::Restitution }
 }
 
@@ -82,8 +81,7 @@ fn rolling() -> Case {
         matter("hooke", 0.5).with("coefficientFriction", 0.5).with("coefficientRollingFriction", 0.1);
     matter.laws.push((Kind::Rolling, "cdt"));
     let (gravity, v) = (9.81, 0.05);
-    let shot =
-        Shot { radius: 0.005, ratio: 1.0, density: 2500.0, wall: true, speed: 0.0, slide: v, rest: None };
+    let shot = Shot { wall: true, slide: v, ..Shot::head_on(0.005, 2500.0, 0.0) };
     let sunk = shot.meff() * gravity / super::truth::stiffness(&matter, &shot);
     let rest = Some(Rest { gravity, sunk, time: 1.5 * 7.0 * v / (5.0 * 0.1 * gravity), rolls: true });
     let title = "hooke + history + cdt, rolls to rest";

@@ -1,9 +1,10 @@
 //! What a case is held against: a closed form where there is one, a converged solution elsewhere.
 use super::cases::{Case, Measure};
-use crate::law::{Call, Contact, Gap, Kind, Surface};
+use crate::law::Kind;
 use crate::pair::run;
 use crate::study::adaptive::{impact, Aim};
 use crate::study::matter::Matter;
+use crate::study::modes::loading;
 use crate::study::shot::{Outcome, Shot};
 use std::f64::consts::PI;
 
@@ -92,15 +93,9 @@ pub fn period(case: &Case) -> f64 {
     PI * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt()
 }
 
-/// Loading stiffness \[N/m\] of the normal law at an overlap of a hundredth of the radius.
+/// Loading stiffness \[N/m\] at an overlap of a hundredth of the radius.
 pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
-    let mut chain = matter.chain().expect("a sound case");
-    let [i, j] = shot.bodies();
-    let call = Call { is_wall: shot.wall, ..Call::default() };
-    let gap = Gap { call, i, j, meff: shot.meff(), ..Gap::default() };
-    let surface = Surface { deltan: 0.01 * shot.radius, ..Surface::default() };
-    let row = vec![0.0; chain.row()];
-    chain.observe((0, 0), &Contact { gap, surface }, &row)[0].stiffness
+    loading(&mut matter.chain().expect("a sound case"), shot)
 }
 
 /// The restitution by equations of their own, where there are such.

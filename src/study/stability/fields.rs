@@ -26,8 +26,7 @@ pub struct Field {
     pub rows: Vec<Row>,
 }
 
-const SHOT: Shot =
-    Shot { radius: 0.005, ratio: 1.0, density: 2500.0, wall: false, speed: 1.0, slide: 0.0, rest: None };
+const SHOT: Shot = Shot::head_on(0.005, 2500.0, 1.0);
 const GRAVITY: f64 = 9.81;
 
 fn matter(normal: &'static str, tangential: Option<&'static str>, e: f64) -> Matter {

@@ -1,12 +1,11 @@
 //! A row of a field: laws and numbers, how bodies meet, and what theory says of it.
 use super::cell::{Class, Found, CREATED};
-use crate::law::Size;
+use crate::critical::{hertz, rayleigh, Mode};
 use crate::pair::run_while;
 use crate::study::adaptive::{impact, Aim};
-use crate::study::critical::{hertz, rayleigh, Mode};
 use crate::study::matter::Matter;
+use crate::study::modes::{reached, Modes};
 use crate::study::shot::{Outcome, Shot};
-use std::f64::consts::PI;
 
 /// What happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +57,8 @@ impl Row {
     /// If the laws refuse the numbers, which is a bug of the field.
     pub fn new(param: f64, matter: Matter, shots: Vec<Shot>, scene: Scene) -> Row {
         let fastest = shots.iter().copied().max_by(|a, b| a.speed.total_cmp(&b.speed)).expect("a shot");
-        let (normal, tangential, period) = modes(&matter, &fastest, scene);
+        let chain = || matter.chain().expect("a sound row");
+        let Modes { normal, tangential, period } = reached(&mut chain(), &mut chain(), &fastest);
         let warns = warns(&matter, &fastest);
         let mut row =
             Row { param, matter, shots, scene, normal, tangential, warns, period, truth: Vec::new() };
@@ -174,53 +174,6 @@ impl Row {
         let limits = if self.scene == Scene::Roll { (1e-4, 1e-2) } else { (0.01, 0.1) };
         found.class(limits, self.created(step), step * self.unit() > self.warns)
     }
-}
-
-/// The stiffest modes along the contact, and half a period of the softest loading.
-fn modes(matter: &Matter, shot: &Shot, scene: Scene) -> (Mode, Mode, f64) {
-    let mut chain = matter.chain().expect("a sound row");
-    let [i, j] = shot.bodies();
-    let size = Size {
-        radi: i.radius,
-        radj: j.radius,
-        massi: i.mass,
-        massj: j.mass,
-        meff: shot.meff(),
-        is_wall: shot.wall,
-    };
-    let (ti, tj) = size.mobilities();
-    let turning = 1.0
-        / (1.0 / size.meff
-            + i.radius * i.radius * ti
-            + if shot.wall { 0.0 } else { j.radius * j.radius * tj });
-    let (mut normal, mut tangential) =
-        (Mode { mass: size.meff, ..Mode::default() }, Mode { mass: turning, ..Mode::default() });
-    let mut soft = f64::INFINITY;
-    let first = crate::study::speed::stiffness(matter, shot);
-    let dt = PI * (size.meff / first).sqrt() / 4000.0;
-    let resting = matches!(scene, Scene::RestNormal | Scene::RestTangential | Scene::Roll);
-    let start = shot.start(dt, 0.0, if resting { 2 } else { 24_000 });
-    let (mut observer, mut over) = (matter.chain().expect("a sound row"), false);
-    let sheared = chain.laws().any(|m| m.keyword == "history");
-    run_while(&mut chain, &start, |s| {
-        over |= normal.stiffness > 0.0 && !s.touching;
-        if s.touching {
-            let terms = observer.observe((0, 0), &s.contact, &s.history)[0];
-            if terms.stiffness > normal.stiffness {
-                (normal.stiffness, normal.damping) = (terms.stiffness, terms.damping);
-            }
-            if terms.stiffness > 0.0 {
-                soft = soft.min(terms.stiffness);
-            }
-            if sheared && s.stage.kt > tangential.stiffness {
-                (tangential.stiffness, tangential.damping) = (s.stage.kt, s.stage.gammat);
-            }
-        }
-        !over
-    });
-    // A Hertz contact begins with no stiffness at all; its period is that of a fair depth.
-    let soft = soft.max(0.3 * normal.stiffness.min(first));
-    (normal, tangential, PI * (size.meff / soft).sqrt())
 }
 
 /// The step beyond which LIGGGHTS's check warns \[s\].

@@ -1,0 +1,83 @@
+//! How long the time step of a deck may be: critical steps of every mode of every pair of types, the longest step for an
+//! accuracy, and what LIGGGHTS's own check says. It reads a probe of the first steps of the deck.
+mod accurate;
+mod contact;
+mod stock;
+
+pub use accurate::{accurate, Search};
+pub use contact::{Contact, Limit};
+pub use stock::Stock;
+
+use crate::probe::{Contacts, Grains, Probe};
+use serde::Serialize;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked {
+    /// Largest mean relative error of the restitution of an impact.
+    pub accuracy: f64,
+    /// Speed of the impacts \[m/s\]; without it, the fastest that the scene shows.
+    pub speed: Option<f64>,
+}
+
+/// What is said of a deck.
+#[derive(Clone, Debug, Serialize)]
+pub struct Advice {
+    /// The deck's time step \[s\].
+    pub dt: f64,
+    /// The error that was asked for.
+    pub accuracy: f64,
+    /// The particles by type.
+    pub grains: Vec<Grains>,
+    /// Every pair of types, and every type with every wall.
+    pub contacts: Vec<Contact>,
+    /// LIGGGHTS's check; `None` where the deck has no elastic constants.
+    pub stock: Option<Stock>,
+    /// What could not be looked at, and what was assumed.
+    pub notes: Vec<String>,
+}
+
+impl Advice {
+    /// The contact that needs the shortest step.
+    pub fn shortest(&self) -> Option<&Contact> {
+        self.contacts.iter().min_by(|a, b| a.recommended().total_cmp(&b.recommended()))
+    }
+
+    /// The longest step \[s\] that is stable, creates no energy and is as accurate as asked for.
+    pub fn recommended(&self) -> Option<f64> {
+        self.shortest().map(Contact::recommended)
+    }
+}
+
+/// The chains, whatever the time step: a deck may change it.
+fn chains(probe: &Probe) -> Vec<Contacts> {
+    let mut all: Vec<Contacts> = Vec::new();
+    for chain in &probe.chains {
+        let mut chain = chain.clone();
+        chain.header.dt = 0.0;
+        match all.iter_mut().find(|c| c.header == chain.header) {
+            Some(known) => known.merge(chain),
+            None => all.push(chain),
+        }
+    }
+    all
+}
+
+/// Looks at a probe.
+pub fn advise(probe: &Probe, asked: &Asked) -> Advice {
+    let mut notes = Vec::new();
+    let mut contacts = Vec::new();
+    for chain in &chains(probe) {
+        contacts.extend(contact::of_chain(chain, &probe.grains, asked, &mut notes));
+    }
+    if probe.grains.is_empty() {
+        notes.push("no particle was there in these steps; let more be watched (--steps)".into());
+    }
+    let dt = probe.chains.iter().map(|c| c.header.dt).fold(0.0, f64::max);
+    let units = probe.chains.first().map_or("si", |c| c.header.units.as_str());
+    if units != "si" {
+        notes.push(format!("all numbers are in the deck's units, {units}"));
+    }
+    let stock = stock::of(probe).filter(|_| units == "si");
+    Advice { dt, accuracy: asked.accuracy, grains: probe.grains.clone(), contacts, stock, notes }
+}
