@@ -117,12 +117,14 @@ pub(super) fn reasons(a: &Advice) -> Vec<String> {
             format!("{what} wrong by {} in {}", percent(size), a.groups[k].name)
         })
     };
-    all.push(format!(
-        "{} classes of contacts were tried, which stand for {} of the impacts and {} of the momentum exchanged",
-        a.groups.len(),
-        percent(a.covered.0),
-        percent(a.covered.1)
-    ));
+    if !a.groups.is_empty() {
+        all.push(format!(
+            "{} classes of contacts were tried, which stand for {} of the impacts and {} of the momentum exchanged",
+            a.groups.len(),
+            percent(a.covered.0),
+            percent(a.covered.1)
+        ));
+    }
     all.extend(a.untried.iter().map(|u| {
         format!(
             "{u} acts across gaps, which two bodies from their first touch on do not show: its chain and the time step stay as they are"

@@ -108,7 +108,7 @@ fn ladder(found: &Found) -> Section {
                 Some((what, size, class)) => {
                     [(*size).into(), (*what).into(), a.groups[*class].name.clone().into()]
                 }
-                None => [f64::NAN.into(), "".into(), "".into()],
+                None => ["-".into(), "".into(), "".into()],
             }
         };
         let sign = if a.chosen == Some(k) {
@@ -120,7 +120,7 @@ fn ladder(found: &Found) -> Section {
         };
         let mut row: Vec<Cell> = vec![r.name().into(), sign.into()];
         row.extend(worst(&r.model.worst));
-        row.extend([r.step.unwrap_or(f64::NAN), r.cost, r.predicted.unwrap_or(f64::NAN)].map(Cell::from));
+        row.extend([r.step, Some(r.cost).filter(|c| c.is_finite()), r.predicted].map(known));
         row
     });
     let columns = [
@@ -133,16 +133,23 @@ fn ladder(found: &Found) -> Section {
         "cost [ns]",
         "time relative to the deck",
     ];
-    let text = format!(
-        "Each model was tried on {} classes of contacts; it is good enough if no error is above {}.",
-        a.groups.len(),
-        percent(a.options.accuracy)
-    );
+    let text = match a.groups.len() {
+        0 => "Nothing could be tried; the deck stays as it is.".into(),
+        n => format!(
+            "Each model was tried on {n} classes of contacts; it is good enough if no error is above {}.",
+            percent(a.options.accuracy)
+        ),
+    };
     Section {
         title: "Models".into(),
         text: vec![text],
         items: vec![Item::Chart(chart), table("models", "All models on trial", &columns, rows.collect())],
     }
+}
+
+/// A number, if there is one.
+fn known(x: Option<f64>) -> Cell {
+    x.map_or("-".into(), Cell::from)
 }
 
 fn classes(found: &Found) -> Section {
@@ -239,7 +246,7 @@ fn whole(found: &Found) -> Section {
         vec!["deck [s]".into(), c.seconds[0].into()],
         vec!["advised [s]".into(), c.seconds[1].into()],
         vec!["measured, relative".into(), c.measured().into()],
-        vec!["predicted, relative".into(), c.predicted.unwrap_or(f64::NAN).into()],
+        vec!["predicted, relative".into(), known(c.predicted)],
     ];
     let columns = ["observable", "difference", "bound", "between seeds", "how it is meant"];
     let deck = c.advised.lines().map(|l| vec![Cell::from(l)]).collect();

@@ -144,7 +144,11 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
     let rung = advice.chosen.map(|k| advice.ladder[k].clone());
     let mut found = Found { advice, check: None, fresh: None };
     let Some(rung) = rung else { return Ok((found, probe, about)) };
-    let other = if args.held_out { Some(again(args, &runner, &text, &probe)?) } else { None };
+    let held_out = args.held_out && !scene.groups.is_empty();
+    if args.held_out && !held_out {
+        eprintln!("granlaw: nothing was tried, so there is nothing to hold fresh contacts against");
+    }
+    let other = if held_out { Some(again(args, &runner, &text, &probe)?) } else { None };
     if let Some(other) = &other {
         let (name, value) = &args.fresh;
         let run = format!("{name}={value}");
