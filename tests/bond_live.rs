@@ -8,6 +8,9 @@ mod chains;
 #[path = "bond_live/counter.rs"]
 mod counter;
 
+#[path = "bond_live/same.rs"]
+mod same;
+
 #[path = "built/mod.rs"]
 mod built;
 #[path = "live/mod.rs"]
