@@ -1,5 +1,5 @@
 //! Decks that ask for what a bond cannot do, and those that look as if they did.
-use crate::bench::{frames, run, scratch};
+use crate::bench::{frames, run, scratch, NEARER};
 use crate::live::{deck, live};
 
 const WALL: &str = "bond_wall.in";
@@ -89,14 +89,13 @@ fn some_decks_only_look_bad() {
     if !live("some_decks_only_look_bad") {
         return;
     }
-    let short = ("run             60000", "run             20000");
     for (name, from, to) in [
         // Pairs are listed as far as bonds reach, whatever the skin.
         ("bond_tension.in", "neighbor        0.0005 bin", "neighbor        0.00001 bin"),
         // History follows the particles through rebuilds of the lists without a map.
         ("bond_migrates.in", "atom_modify     map array sort 0 0\n", ""),
     ] {
-        let changes = if name == "bond_migrates.in" { &[short][..] } else { &[] };
+        let changes = if name == "bond_migrates.in" { &NEARER[..] } else { &[] };
         let dump = |ranks: usize, more: &[(&str, &str)]| {
             let s = scratch(&deck(name, &[changes, more].concat()));
             run(&s, ranks, "").ends(0, &[]);

@@ -1,6 +1,6 @@
 //! Whatever LIGGGHTS does with particles and histories on the way, a bond goes on with the same bits; the header's does
 //! not, so that each of these comparisons is seen to tell.
-use crate::bench::{run, scratch};
+use crate::bench::{run, scratch, NEARER};
 use crate::live::{deck, live};
 
 /// A stiffness in compression of the header is that of the sheet times the area of the bond, about 5e-7 m².
@@ -11,19 +11,12 @@ const UPSTREAM: [(&str, &str); 4] = [
     ("AreaKc_fn1 peratomtypepair 1 20000000", "AreaKc_fn1 peratomtypepair 1 10"),
 ];
 
-/// Started nearer to the border between the ranks, to cross it within fewer steps.
-const NEARER: [(&str, &str); 3] = [
-    ("single -0.00348 0.0001 0", "single -0.00148 0.0001 0"),
-    ("single -0.00448 0 0.0001", "single -0.00248 0 0.0001"),
-    ("run             60000", "run             24000"),
-];
-
 /// Sorted by place every 100 steps, the two particles change places in memory, and i and j with them.
 const SORTED: [(&str, &str); 2] = [
     ("sort 0 0", "sort 100 0.0004"),
     (
-        "run             24000",
-        "compute i all pair/gran/local id\ndump i all local 1000 ids.dump c_i[1]\nrun 24000",
+        "run             60000",
+        "compute i all pair/gran/local id\ndump i all local 1000 ids.dump c_i[1]\nrun 60000",
     ),
 ];
 
@@ -33,11 +26,9 @@ fn a_bond_goes_on_with_the_same_bits() {
         return;
     }
     let dump = |name: &str, ranks: usize, changes: &[(&str, &str)]| {
-        let migrates = name.starts_with("bond_migrates");
-        let nearer = if migrates { &NEARER[..] } else { &[] };
-        let s = scratch(&deck(name, &[nearer, changes].concat()));
+        let s = scratch(&deck(name, changes));
         let said = run(&s, ranks, "").ends(0, &[]);
-        if migrates {
+        if name.starts_with("bond_migrates") {
             assert!(!said.out.contains("Neighbor list builds = 0"), "{name}: nothing was built anew");
         }
         if changes.contains(&SORTED[0]) {
@@ -48,14 +39,14 @@ fn a_bond_goes_on_with_the_same_bits() {
         assert!(dump.lines().count() > 100);
         dump
     };
-    for (name, other, ranks, more) in [
-        ("bond_tumbles.in", "bond_tumbles_two_runs.in", 1, &[][..]),
-        ("bond_tumbles.in", "bond_tumbles_queried.in", 1, &[]),
-        ("bond_migrates.in", "bond_migrates_two_ranks.in", 2, &[]),
-        ("bond_migrates.in", "bond_migrates.in", 1, &SORTED),
+    for (name, other, ranks, both, more) in [
+        ("bond_tumbles.in", "bond_tumbles_two_runs.in", 1, &[][..], &[][..]),
+        ("bond_tumbles.in", "bond_tumbles_queried.in", 1, &[], &[]),
+        ("bond_migrates.in", "bond_migrates_two_ranks.in", 2, &NEARER, &[]),
+        ("bond_migrates.in", "bond_migrates.in", 1, &[], &SORTED),
     ] {
-        let same = |changes: &[(&str, &str)]| {
-            dump(name, 1, changes) == dump(other, ranks, &[changes, more].concat())
+        let same = |law: &[(&str, &str)]| {
+            dump(name, 1, &[both, law].concat()) == dump(other, ranks, &[both, law, more].concat())
         };
         assert!(same(&[]), "{other} {more:?} differs from {name}");
         assert!(!same(&UPSTREAM), "{other} {more:?} shows nothing: the header's dumps are the same too");
