@@ -130,7 +130,8 @@ impl Rig<'_> {
             if self.touch().force.x <= wanted {
                 return;
             }
-            if self.tried(-step, |push| push < wanted) {
+            // Surfaces that have parted may have no force at all, which is too far as well.
+            if self.tried(-step, |push| push.is_nan() || push < wanted) {
                 step *= 0.5;
             }
         }

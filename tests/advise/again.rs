@@ -118,6 +118,11 @@ fn attraction_is_borne_as_far_as_it_was_and_needs_adhesion() {
     let soft = held(&pressed(0.1, 0.0, k), vec![hysteresis(0.05)]).overlap;
     assert!(held(&load, vec![hysteresis(0.05)]).overlap > 1.01 * soft);
     assert_relative_eq!(held(&load, vec![hooke(0.5)]).overlap, 0.1 / k, max_relative = 2e-3);
+    // A spring that has no force once the surfaces part, pressed a thousand times harder before: δ goes with F^(2/3).
+    let [mut little, mut much] = [pressed(1e-3, 0.0, k), pressed(1.0, 0.0, k)];
+    (little.push, much.push) = (1.0, 1.0);
+    let [little, much] = [little, much].map(|l| held(&l, vec![hertz(0.5)]).overlap);
+    assert_relative_eq!(much / little, 100.0, max_relative = 0.01);
 }
 
 #[test]
