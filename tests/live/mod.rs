@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test target uses a part of it")]
 use crate::built::{built, here};
 use granlaw::liggghts::{Host, Plugin, RunError};
+use rustix::process::{kill_process, Pid, Signal};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -100,11 +101,25 @@ impl Scratch {
     /// What is left of the runs: files in their corner, and processes that are still at work here.
     pub fn left(&self) -> Vec<String> {
         let files = fs::read_dir(self.path("tmp")).unwrap().map(|e| e.unwrap().path().display().to_string());
+        let named = |p: PathBuf| text(&fs::read(p.join("cmdline")).unwrap_or_default()).replace('\0', " ");
+        files.chain(self.at_work().into_iter().map(named)).collect()
+    }
+
+    /// The processes at work here, by their folders in /proc.
+    fn at_work(&self) -> Vec<PathBuf> {
         let here = self.dir.path().canonicalize().unwrap();
         let works_here = |p: &PathBuf| fs::read_link(p.join("cwd")).is_ok_and(|cwd| cwd.starts_with(&here));
-        let processes = fs::read_dir("/proc").unwrap().map(|e| e.unwrap().path()).filter(works_here);
-        let named = |p: PathBuf| text(&fs::read(p.join("cmdline")).unwrap_or_default()).replace('\0', " ");
-        files.chain(processes.map(named)).collect()
+        fs::read_dir("/proc").unwrap().map(|e| e.unwrap().path()).filter(works_here).collect()
+    }
+}
+
+/// A test that fails must not leave its runs behind: one of them is endless.
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let ids = self.at_work().into_iter().filter_map(|p| p.file_name()?.to_str()?.parse().ok());
+        for id in ids.filter_map(Pid::from_raw) {
+            let _ = kill_process(id, Signal::KILL);
+        }
     }
 }
 
