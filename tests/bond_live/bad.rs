@@ -1,5 +1,5 @@
 //! Decks that ask for what a bond cannot do, and those that look as if they did.
-use crate::bench::{frames, run, scratch, NEARER};
+use crate::bench::{frames, run, scratch};
 use crate::live::{deck, live};
 
 const WALL: &str = "bond_wall.in";
@@ -95,9 +95,8 @@ fn some_decks_only_look_bad() {
         // History follows the particles through rebuilds of the lists without a map.
         ("bond_migrates.in", "atom_modify     map array sort 0 0\n", ""),
     ] {
-        let changes = if name == "bond_migrates.in" { &NEARER[..] } else { &[] };
         let dump = |ranks: usize, more: &[(&str, &str)]| {
-            let s = scratch(&deck(name, &[changes, more].concat()));
+            let s = scratch(&deck(name, more));
             run(&s, ranks, "").ends(0, &[]);
             s.read("dump.txt")
         };

@@ -62,10 +62,3 @@ pub fn frames(text: &str) -> BTreeMap<u64, Vec<Vec<f64>>> {
     }
     frames
 }
-
-/// Changes of `bond_migrates.in`: started nearer to the border between the ranks, to cross it within fewer steps.
-pub const NEARER: [(&str, &str); 3] = [
-    ("single -0.00348 0.0001 0", "single -0.00018 0.0001 0"),
-    ("single -0.00448 0 0.0001", "single -0.00118 0 0.0001"),
-    ("run             60000", "run             14000"),
-];
