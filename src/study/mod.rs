@@ -11,3 +11,25 @@ pub mod single;
 pub mod speed;
 pub mod stability;
 pub mod timestep;
+
+use crate::liggghts::RunError;
+
+/// What to study.
+#[derive(Debug)]
+pub struct Options {
+    /// Names of the cases or maps; all of them if there are none.
+    pub only: Vec<String>,
+    /// A finer study that takes longer.
+    pub full: bool,
+    /// LIGGGHTS and plugin, or why there is none.
+    pub bench: Result<live::Bench, RunError>,
+    /// The command line, for the page.
+    pub command: String,
+}
+
+impl Options {
+    /// Whether the case or map of this name is asked for.
+    fn wants(&self, name: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|o| o == name)
+    }
+}

@@ -2,7 +2,7 @@
 use granlaw::liggghts::RunError;
 use granlaw::report::page::{Page, Spread};
 use granlaw::report::Outcome;
-use granlaw::study::{speed, stability};
+use granlaw::study::{speed, stability, Options};
 
 const NONE: Result<granlaw::study::live::Bench, RunError> = Err(RunError::NoPlugin { looked: Vec::new() });
 
@@ -13,7 +13,7 @@ fn is(page: &Page, check: &str) -> Option<Outcome> {
 #[test]
 fn the_checks_of_speed_fail_when_they_should() {
     let only = vec!["undamped".to_string()];
-    let options = speed::Options { only, full: false, bench: NONE, command: String::new() };
+    let options = Options { only, full: false, bench: NONE, command: String::new() };
     let mut study = speed::run(&options, &|_| ());
     let page = speed::page(&study, &options);
     assert_eq!((is(&page, "orders"), page.exit_code()), (Some(Outcome::Agreed), 0));
@@ -47,7 +47,7 @@ fn the_checks_of_speed_fail_when_they_should() {
 #[test]
 fn the_map_of_a_study_holds_what_was_found() {
     let only = vec!["rest-normal".to_string()];
-    let options = stability::Options { only, full: false, bench: NONE, command: String::new() };
+    let options = Options { only, full: false, bench: NONE, command: String::new() };
     let study = stability::run(&options, &|_| ());
     let m = &study.mapped[0];
     assert_eq!((study.mapped.len(), m.cells.len()), (1, m.steps.len() * m.field.rows.len()));

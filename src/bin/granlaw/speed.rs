@@ -5,7 +5,7 @@ use granlaw::liggghts;
 use granlaw::report::page::{check_page_target, write_page, Page};
 use granlaw::report::Outcome;
 use granlaw::study::live::Bench;
-use granlaw::study::speed::{self, Options};
+use granlaw::study::{speed, Options};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -42,23 +42,20 @@ fn names() -> PossibleValuesParser {
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     check_page_target(&args.out)?;
-    let options = Options { only: args.cases.clone(), full: args.full, bench: bench()?, command: command() };
-    if let Err(e) = &options.bench {
-        eprintln!("granlaw: nothing runs in LIGGGHTS: {e}");
-    }
+    let options = options(&args.cases, args.full)?;
     let study = speed::run(&options, &progress());
     finish(&speed::page(&study, &options), &args.out)
 }
 
-/// LIGGGHTS and plugin, if they are here.
-pub fn bench() -> anyhow::Result<Result<Bench, liggghts::RunError>> {
+/// What a study is asked for, with LIGGGHTS and the plugin if they are here.
+pub fn options(only: &[String], full: bool) -> anyhow::Result<Options> {
     ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
-    Ok(Bench::find(Duration::from_secs(120)))
-}
-
-/// The command line.
-pub fn command() -> String {
-    std::env::args().collect::<Vec<_>>().join(" ")
+    let bench = Bench::find(Duration::from_secs(120));
+    if let Err(e) = &bench {
+        eprintln!("granlaw: nothing runs in LIGGGHTS: {e}");
+    }
+    let command = std::env::args().collect::<Vec<_>>().join(" ");
+    Ok(Options { only: only.to_vec(), full, bench, command })
 }
 
 /// Says on standard error what is done, with the time since the beginning.

@@ -1,8 +1,8 @@
 //! `granlaw stability`: where the methods fail.
-use super::speed::{bench, command, finish, progress};
+use super::speed::{finish, options, progress};
 use clap::builder::PossibleValuesParser;
 use granlaw::report::page::check_page_target;
-use granlaw::study::stability::{self, Options};
+use granlaw::study::stability;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -38,10 +38,7 @@ fn names() -> PossibleValuesParser {
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     check_page_target(&args.out)?;
-    let options = Options { only: args.maps.clone(), full: args.full, bench: bench()?, command: command() };
-    if let Err(e) = &options.bench {
-        eprintln!("granlaw: nothing runs in LIGGGHTS: {e}");
-    }
+    let options = options(&args.maps, args.full)?;
     let study = stability::run(&options, &progress());
     finish(&stability::page(&study, &options), &args.out)
 }

@@ -15,22 +15,8 @@ pub use curves::{ours as curve, Curve, Point, Reach};
 pub use methods::Method;
 pub use truth::{stiffness, Truth};
 
-use super::live::Bench;
-use crate::liggghts::RunError;
+use super::Options;
 use crate::report::page::Page;
-
-/// What to study.
-#[derive(Debug)]
-pub struct Options {
-    /// Names of the cases; all of them if there are none.
-    pub only: Vec<String>,
-    /// More steps, more phases, more repetitions.
-    pub full: bool,
-    /// LIGGGHTS and plugin, or why there is none.
-    pub bench: Result<Bench, RunError>,
-    /// The command line, for the page.
-    pub command: String,
-}
 
 /// What was found for one case.
 #[derive(Debug)]
@@ -57,15 +43,11 @@ pub struct Study {
     pub trouble: Vec<String>,
 }
 
-fn wanted(only: &[String], name: &str) -> bool {
-    only.is_empty() || only.iter().any(|o| o == name)
-}
-
 /// Do it; `done` hears of every case.
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     let (phases, rounds) = if options.full { (128, 9) } else { (48, 5) };
     let mut found = Vec::new();
-    for case in cases().into_iter().filter(|c| wanted(&options.only, c.name)) {
+    for case in cases().into_iter().filter(|c| options.wants(c.name)) {
         let truth = Truth::of(&case);
         let curves =
             methods::OURS.iter().filter_map(|m| curves::ours(*m, &case, &truth, phases, rounds)).collect();

@@ -4,6 +4,7 @@ use crate::law::Kind;
 use crate::study::matter::Matter;
 use crate::study::shot::{Rest, Shot};
 use crate::study::speed::stiffness;
+use crate::study::Options;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -90,9 +91,9 @@ fn impact(param: f64, matter: Matter, shot: Shot) -> Row {
     Row::new(param, matter, about(shot), Scene::Impact)
 }
 
-/// The fields of these names; all of them if there are none.
-pub fn fields(full: bool, only: &[String]) -> Vec<Field> {
-    plans(full).filter(|p| only.is_empty() || only.iter().any(|o| o == p.name)).map(Plan::build).collect()
+/// The fields that are asked for.
+pub fn fields(options: &Options) -> Vec<Field> {
+    plans(options.full).filter(|p| options.wants(p.name)).map(Plan::build).collect()
 }
 
 /// The names of all fields.

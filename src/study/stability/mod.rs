@@ -12,22 +12,10 @@ pub use live::{agreement, ask, choose, onset, Agreement, Asked, Place};
 pub use row::{Row, Scene};
 
 use super::live::Bench;
-use crate::liggghts::RunError;
+use super::Options;
 use crate::report::page::Page;
+use rayon::iter::Either;
 use rayon::prelude::*;
-
-/// What to study.
-#[derive(Debug)]
-pub struct Options {
-    /// Names of the maps; all of them if there are none.
-    pub only: Vec<String>,
-    /// Finer maps, more phases, more points in LIGGGHTS.
-    pub full: bool,
-    /// LIGGGHTS and plugin, or why there is none.
-    pub bench: Result<Bench, RunError>,
-    /// The command line, for the page.
-    pub command: String,
-}
 
 /// A field with what was found in it.
 #[derive(Debug)]
@@ -57,7 +45,7 @@ pub struct Study {
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     let (columns, phases) = if options.full { (96, 64) } else { (60, 24) };
     let mut study = Study { mapped: Vec::new(), trouble: Vec::new() };
-    for field in fields(options.full, &options.only) {
+    for field in fields(options) {
         let (low, high) = field.range;
         let steps: Vec<f64> =
             (0..columns).map(|k| low * (high / low).powf(f64::from(k) / f64::from(columns - 1))).collect();
@@ -72,26 +60,25 @@ pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
         let rows = if options.full { 8 } else { 3 };
         for mapped in &mut study.mapped {
             let points = choose(&mapped.field, &mapped.onset, rows, phases);
-            let answers: Vec<_> =
-                points.into_par_iter().map(|p| ask(bench, &mapped.field, p, phases)).collect();
-            let mut failed = Vec::new();
-            for answer in answers {
-                match answer {
-                    Ok(asked) => mapped.asked.push(asked),
-                    Err(e) => failed.push(e),
-                }
-            }
-            if let Some(e) = failed.first() {
-                study.trouble.push(format!(
-                    "{}: {} runs of LIGGGHTS failed: {e}",
-                    mapped.field.name,
-                    failed.len()
-                ));
-            }
+            study.trouble.extend(mapped.ask(bench, points, phases));
             done(&format!("{} in LIGGGHTS", mapped.field.name));
         }
     }
     study
+}
+
+impl Mapped {
+    /// Asks LIGGGHTS at some places; what it could not do, in words.
+    fn ask(&mut self, bench: &Bench, places: Vec<Place>, phases: usize) -> Option<String> {
+        let answer = |place| match ask(bench, &self.field, place, phases) {
+            Ok(asked) => Either::Left(asked),
+            Err(e) => Either::Right(e),
+        };
+        let (asked, failed): (Vec<_>, Vec<_>) = places.into_par_iter().partition_map(answer);
+        self.asked = asked;
+        let first = failed.first()?;
+        Some(format!("{}: {} runs of LIGGGHTS failed: {first}", self.field.name, failed.len()))
+    }
 }
 
 /// The study as a document.
