@@ -1,5 +1,5 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
-use crate::law::{Call, Contact, Gap, Kernel, LawError, Life, Mark, Meta, Setup, Size, Stage, Terms};
+use crate::law::{Call, Contact, Gap, Kernel, LawError, Life, Mark, Meta, Setup, Size, Stage, Swing, Terms};
 use crate::laws::find;
 
 mod host;
@@ -138,8 +138,12 @@ impl Chain {
 
     #[inline]
     fn fit(&mut self, types: (usize, usize), x: &Gap) {
+        self.fit_to(types, x.size());
+    }
+
+    #[inline]
+    fn fit_to(&mut self, types: (usize, usize), size: Size) {
         let pair = types.0 * self.types + types.1;
-        let size = x.size();
         if self.fitted != Some((pair, size)) {
             self.links.iter_mut().for_each(|l| l.kernel.fit(pair, &size));
             self.fitted = Some((pair, size));
@@ -174,6 +178,12 @@ impl Chain {
     /// The bonds that began, ended and lasted in the evaluations that count.
     pub fn bonds(&self) -> Bonds {
         self.bonds
+    }
+
+    /// The ways in which two bodies swing under laws that act whether or not surfaces overlap; see [`crate::law::Law::swings`].
+    pub fn swings(&mut self, types: (usize, usize), size: &Size, speed: f64) -> Vec<Swing> {
+        self.fit_to(types, *size);
+        self.links.iter().flat_map(|l| l.kernel.swings(size, speed)).collect()
     }
 
     /// What each law can tell of the contact before it is evaluated.

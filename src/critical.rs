@@ -1,10 +1,14 @@
 //! The longest stable time steps, by theory, and what LIGGGHTS's own check says.
+use crate::law::Swing;
 use serde::Serialize;
 use std::f64::consts::PI;
 
 /// Up to this times π/ω no contact of `granlaw stability`'s maps creates energy, but for those without any damping, whose
 /// restitution may come out above 1.005: the least of the maps is 0.14, of `hooke/hysteresis` over its adhesion.
 pub const SAFE: f64 = 0.13;
+
+/// The same for two bonded bodies, of the fastest mode of their bond.
+pub const SAFE_BOND: f64 = 0.06;
 
 /// A degree of freedom as a linear oscillator.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -51,6 +55,17 @@ impl Mode {
     /// damping makes that shorter.
     pub fn safe(&self) -> f64 {
         (SAFE * PI / self.frequency()).min(0.5 * self.step())
+    }
+
+    /// A step \[s\] below which a bond with this mode as its fastest creates no energy on the maps.
+    pub fn safe_bond(&self) -> f64 {
+        SAFE_BOND * PI / self.frequency()
+    }
+}
+
+impl From<Swing> for Mode {
+    fn from(s: Swing) -> Mode {
+        Mode { stiffness: s.stiffness, damping: 0.0, mass: s.mass }
     }
 }
 

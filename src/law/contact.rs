@@ -205,6 +205,19 @@ impl Size {
     }
 }
 
+/// One way in which two bodies swing under a law, as a linear oscillator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swing {
+    /// Which, a fixed word of the law.
+    pub name: &'static str,
+    /// Whether it turns the bodies about each other: then angles stand for ways.
+    pub turns: bool,
+    /// Its largest stiffness \[N/m\], or \[N m/rad\] if it turns.
+    pub stiffness: f64,
+    /// The mass that it moves \[kg\], or the inertia \[kg m²\].
+    pub mass: f64,
+}
+
 /// What a law does to the flag by which LIGGGHTS keeps a pair's history across a neighbour rebuild.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mark {

@@ -1,5 +1,5 @@
 //! A law with its types erased, ready to run for every pair of atom types.
-use super::{Contact, Gap, LaneLaw, Law, LawError, Meta, Setup, Size, Stage, Terms};
+use super::{Contact, Gap, LaneLaw, Law, LawError, Meta, Setup, Size, Stage, Swing, Terms};
 use bytemuck::Pod;
 use std::fmt::Debug;
 
@@ -13,6 +13,8 @@ pub trait Kernel: Send {
     fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage);
     /// See [`Law::observe`].
     fn observe(&self, x: &Contact, h: &[f64]) -> Terms;
+    /// See [`Law::swings`]; `size` is that of the fit.
+    fn swings(&self, size: &Size, speed: f64) -> Vec<Swing>;
     /// The largest [`Law::reach`] of all type pairs \[m\].
     fn reach(&self, is_wall: bool) -> f64;
     /// See [`Law::remarks`]; each once.
@@ -74,6 +76,9 @@ impl<L: Law> Kernel for Prepared<L> {
     }
     fn observe(&self, x: &Contact, h: &[f64]) -> Terms {
         L::observe(self.fitted(), x, L::History::see(h))
+    }
+    fn swings(&self, size: &Size, speed: f64) -> Vec<Swing> {
+        L::swings(self.fitted(), size, speed)
     }
     fn reach(&self, is_wall: bool) -> f64 {
         self.coeffs.iter().map(|c| L::reach(c, is_wall)).fold(0.0, f64::max)

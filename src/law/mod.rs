@@ -7,7 +7,7 @@ mod kernel;
 mod meta;
 mod setup;
 
-pub use contact::{Body, Call, Contact, Gap, Life, Mark, Size, Stage, Surface, Terms, ATOM_PROPS};
+pub use contact::{Body, Call, Contact, Gap, Life, Mark, Size, Stage, Surface, Swing, Terms, ATOM_PROPS};
 pub use kernel::{Alone, Entry, ForLanes, Kernel, Memory};
 pub use meta::{
     AtomProp, Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot, Support,
@@ -47,6 +47,12 @@ pub trait Law: 'static {
     fn touch(f: &Self::Fit, x: &Contact, h: &mut Self::History, s: &mut Stage);
     /// They do not. A law with [`Reach::Beyond`] may still answer with a force.
     fn apart(f: &Self::Fit, x: &Gap, h: &mut Self::History, s: &mut Stage);
+    /// The ways in which two bodies swing under a law that acts whether or not surfaces overlap, each as stiff as it gets;
+    /// they limit the time step. `speed` is how fast the bodies move against each other \[m/s\]. A law that answers to an
+    /// overlap tells its stiffness in [`Law::observe`] instead.
+    fn swings(_: &Self::Fit, _size: &Size, _speed: f64) -> Vec<Swing> {
+        Vec::new()
+    }
     /// What a study wants to know of the contact, before `touch` is called on it.
     fn observe(f: &Self::Fit, x: &Contact, h: &Self::History) -> Terms;
 }

@@ -1,11 +1,11 @@
 //! Says when the time step is too long for a contact at hand.
-use super::{Fastest, Follower};
-use crate::critical::{Mode, SAFE};
+use super::{Fastest, Follower, Grains};
+use crate::critical::{Mode, SAFE, SAFE_BOND};
 use crate::law::Kind;
 
 impl Follower {
     /// A sentence for the first contact of a pair of types for which the time step is too long; once for each. Chains with
-    /// bonds are left out: a bond is infinitely stiff where its compression begins, which says nothing.
+    /// bonds are left out, see [`Follower::bonds_alarm`]: a bond is infinitely stiff where its compression begins.
     pub fn alarm(&mut self) -> Option<String> {
         let header = self.header();
         if header.bonds().is_some() {
@@ -33,6 +33,43 @@ impl Follower {
             m.safe(),
             m.step()
         ))
+    }
+}
+
+impl Follower {
+    /// The same of the bonds that particles like these can have, two bodies alone.
+    pub(super) fn bonds_alarm(&mut self, grains: &[Grains]) -> Option<String> {
+        let keyword = self.header().bonds()?.keyword.clone();
+        let (dt, types, who) = (self.header().dt, self.header().types, self.header().who.clone());
+        let wall = who != "pair";
+        let (chain, told) = self.bonds()?;
+        let pairs = (0..types * types).map(|p| (p / types, p % types)).filter(|(i, j)| wall || i <= j);
+        for (i, j) in pairs {
+            let of = |kind: usize| grains.iter().find(|g| g.kind as usize == kind + 1);
+            let at = i * types + j;
+            let (Some(gi), gj) = (of(i).filter(|_| !told[at]), of(j)) else { continue };
+            if !wall && gj.is_none() {
+                continue;
+            }
+            let gj = gj.filter(|_| !wall);
+            let speed = gi.fastest + gj.map_or(0.0, |g| g.fastest);
+            let swings = gi.sizes(gj).into_iter().flat_map(|size| chain.swings((i, j), &size, speed));
+            let worst = swings.min_by(|a, b| Mode::from(*a).step().total_cmp(&Mode::from(*b).step()));
+            let Some(s) = worst.filter(|s| dt > Mode::from(*s).safe_bond()) else { continue };
+            told[at] = true;
+            let m = Mode::from(s);
+            return Some(format!(
+                "the time step of {dt:.3e} is too long for {keyword}, {who}, types {}-{}: {} of one bond alone can create energy beyond \
+                 {:.3e} ({SAFE_BOND} pi/omega) and is unstable beyond {:.3e}, and several on a particle sooner; said once. \
+                 granlaw timestep DECK says more",
+                i + 1,
+                j + 1,
+                s.name,
+                m.safe_bond(),
+                m.step()
+            ));
+        }
+        None
     }
 }
 

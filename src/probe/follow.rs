@@ -40,6 +40,8 @@ pub struct Follower {
     history: Vec<f64>,
     /// The pairs of types for which the time step was said to be too long.
     told: Vec<bool>,
+    /// The same of their bonds, by types.
+    told_bonds: Vec<bool>,
     /// Momentum that a wall handed to particles \[N s\]; zero for the pair style.
     pub(super) impulse: Vector3<f64>,
 }
@@ -58,6 +60,7 @@ impl Follower {
         let places = vec![None; header.types * header.types];
         let contacts = Contacts { header, share: 1, calls: 0, followed: 0, residual: 0.0, pairs: Vec::new() };
         let (live, history, told) = (FxHashMap::default(), Vec::new(), Vec::new());
+        let told_bonds = vec![false; places.len()];
         Follower {
             contacts,
             chain,
@@ -71,6 +74,7 @@ impl Follower {
             touching: 0,
             history,
             told,
+            told_bonds,
             impulse: Vector3::zeros(),
         }
     }
@@ -82,6 +86,11 @@ impl Follower {
     /// The pairs of types so far, and of which the alarm was told.
     pub(super) fn told(&mut self) -> (&[TypePair], &mut Vec<bool>) {
         (&self.contacts.pairs, &mut self.told)
+    }
+
+    /// The laws, if granlaw has all of them, and for which pairs of types the alarm of bonds was told.
+    pub(super) fn bonds(&mut self) -> Option<(&mut Chain, &mut Vec<bool>)> {
+        self.chain.as_mut().map(|chain| (chain, &mut self.told_bonds))
     }
 
     pub(super) fn calls(&self) -> u64 {

@@ -1,5 +1,6 @@
 //! The particles of a scene by type: what limits the time step before any of them has touched.
 use super::Particles;
+use crate::law::Size;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -24,6 +25,19 @@ impl Grains {
     fn none(kind: i32) -> Grains {
         let (radius, density) = ([f64::INFINITY, 0.0], [f64::INFINITY, 0.0]);
         Grains { kind, count: 0, radius, density, fastest: 0.0 }
+    }
+
+    /// Pairs of the smallest and largest of these with the smallest and largest of `partner`; of none, each with a wall.
+    /// They are as light as the lightest.
+    pub fn sizes(&self, partner: Option<&Grains>) -> Vec<Size> {
+        let ends = |g: &Grains| g.radius.map(|r| (r, 4.0 / 3.0 * PI * r.powi(3) * g.density[0]));
+        let wall = partner.is_none();
+        let others = partner.map_or(vec![(0.0, 0.0)], |g| ends(g).to_vec());
+        let pair = |(radi, massi): (f64, f64), (radj, massj): (f64, f64)| {
+            let meff = if wall { massi } else { massi * massj / (massi + massj) };
+            Size { radi, radj, massi, massj, meff, is_wall: wall }
+        };
+        ends(self).into_iter().flat_map(|i| others.iter().map(move |j| pair(i, *j))).collect()
     }
 
     fn widen(&mut self, radius: [f64; 2], density: [f64; 2], fastest: f64) {

@@ -86,6 +86,12 @@ impl Session {
         self.bulk.add(s, &mut self.clock);
     }
 
+    /// A sentence for the next pair of types whose bonds the time step is too long for; once for each.
+    pub fn bonds_alarm(&mut self) -> Option<String> {
+        let grains = &self.grains;
+        self.followers.iter_mut().find_map(|f| f.bonds_alarm(grains))
+    }
+
     /// The run is over.
     pub fn finish(self) -> Probe {
         let Session { followers, ranks, grains, bulk, began, .. } = self;

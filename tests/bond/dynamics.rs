@@ -1,5 +1,6 @@
 //! Free pairs under a bond, in LIGGGHTS's time integration: momentum, energy, damping, critical steps.
 use crate::bench::{Deck, Driven};
+use granlaw::critical::Mode;
 use granlaw::law::*;
 use granlaw::pair::{run, states, Opened, Partner, Start, State};
 use nalgebra::{Rotation3, Vector3};
@@ -171,6 +172,78 @@ fn plucked(mode: &str, dt: f64) -> Start {
         _ => (i.omega.z, j.omega.z) = (1e-3, -1e-3),
     }
     s
+}
+
+/// The step beyond which a bond between these bodies grows, by what the law says of its modes \[s\].
+fn told(deck: &Deck, s: &Start) -> f64 {
+    let [i, j] = s.bodies;
+    let is_wall = matches!(s.partner, Partner::Plane { .. });
+    let (massj, radj) = if is_wall { (0.0, 0.0) } else { (j.mass, j.radius) };
+    let meff = if is_wall { i.mass } else { i.mass * massj / (i.mass + massj) };
+    let size = Size { radi: i.radius, radj, massi: i.mass, massj, meff, is_wall };
+    let swings = deck.chain().swings((0, 0), &size, 1e-3);
+    swings.into_iter().map(|s| Mode::from(s).step()).fold(f64::INFINITY, f64::min)
+}
+
+/// Shear and bending swing together where the bodies differ and at a wall; twist does not.
+#[test]
+fn the_law_tells_the_critical_steps_of_unlike_bodies_and_of_a_wall() {
+    for wall in [false, true] {
+        for mode in ["shear", "twist", "bend", "shear and bend"] {
+            let deck = match mode {
+                "shear and bend" => linear(only("shear").with("shearTorqueStress", "on")),
+                _ => only(mode),
+            };
+            // As far apart as one can begin.
+            let deck =
+                deck.set("createDistanceBondnonlinear", if wall { 1.0000001e-3 } else { 0.9500001e-3 });
+            let grows = |part: f64| {
+                let mut s = plucked(if mode.starts_with("shear") { "shear" } else { mode }, 0.0);
+                s.dt = part * {
+                    (s.bodies[1].radius, s.bodies[1].mass) = (R[1], M[1]);
+                    if wall {
+                        s.partner = Partner::Plane { point: Vector3::zeros(), normal: Vector3::x() };
+                    }
+                    told(&deck, &s)
+                };
+                s.steps = 4000;
+                let all = states(&mut deck.chain(), &s);
+                all.iter().map(kinetic).fold(0.0, f64::max) > 100.0 * kinetic(&all[1])
+            };
+            let at = [0.995, 1.005].map(grows);
+            assert_eq!(at, [false, true], "{mode}, wall {wall}");
+            // Planted: a step that is too long or too short by a twentieth.
+            assert!(grows(1.05 * 0.995) && !grows(0.95 * 1.005), "{mode}, wall {wall}");
+        }
+    }
+}
+
+/// As in the law's sheet: damping that sets on the wrong way adds its share to the stiffness; compression is as stiff as
+/// where a blow ends.
+#[test]
+fn damping_and_the_speed_of_a_blow_count() {
+    let stiffness = |deck: &Deck, name: &str, speed: f64| {
+        let size =
+            Size { radi: R[0], radj: R[0], massi: M[0], massj: M[0], meff: 0.5 * M[0], is_wall: false };
+        let all = deck.chain().swings((0, 0), &size, speed);
+        all.into_iter().find(|s| s.name == name).expect("a mode").stiffness
+    };
+    let (plain, eta) = (Deck::documented().with("dampingBond", "off"), damped(0.2));
+    for name in ["compression", "tension", "shear", "twist", "bending"] {
+        approx::assert_relative_eq!(
+            stiffness(&eta, name, 0.1),
+            1.2 * stiffness(&plain, name, 0.1),
+            max_relative = 1e-12
+        );
+    }
+    // δ grows with the 4/3 of the speed, the tangent falls with its root.
+    let ratio = stiffness(&plain, "compression", 0.8) / stiffness(&plain, "compression", 0.1);
+    approx::assert_relative_eq!(ratio, 0.25, max_relative = 1e-12);
+    // ½ m* v² = ⅔ A k1 δ^1.5.
+    let area = PI * (0.8f64 * R[0]).powi(2);
+    let deepest = (0.75 * 0.5 * M[0] * 0.01 / (area * 4e7)).powf(2.0 / 3.0);
+    let expected = 0.5 * area * 8e7 / deepest.sqrt();
+    approx::assert_relative_eq!(stiffness(&plain, "compression", 0.1), expected, max_relative = 1e-12);
 }
 
 /// Without damping and with straight lines a free pair keeps its energy, as kinetic energy at each return through rest.

@@ -1,5 +1,5 @@
 //! Advice on the time step from a probe made by hand.
-use granlaw::critical::{Mode, SAFE};
+use granlaw::critical::{Mode, SAFE, SAFE_BOND};
 use granlaw::probe::{Contacts, Grains, Probe};
 use granlaw::study::timestep::{advise, Advice, Asked};
 use granlaw::trace::{Header, LawSpec, Property};
@@ -53,7 +53,7 @@ fn probe(headers: Vec<Header>, fastest: f64) -> Probe {
 }
 
 fn asked(probe: &Probe, speed: Option<f64>) -> Advice {
-    advise(probe, &Asked { accuracy: 0.01, speed })
+    advise(probe, &Asked { accuracy: 0.01, speed, bonds: 12 })
 }
 
 #[test]
@@ -127,6 +127,80 @@ fn what_cannot_be_looked_at_is_told() {
 #[test]
 fn a_tighter_accuracy_takes_a_shorter_step() {
     let scene = probe(vec![header("pair")], 1.0);
-    let at = |accuracy| advise(&scene, &Asked { accuracy, speed: None }).contacts[0].accurate.unwrap();
+    let at =
+        |accuracy| advise(&scene, &Asked { accuracy, speed: None, bonds: 12 }).contacts[0].accurate.unwrap();
     assert!(at(0.01) < asked(&scene, None).contacts[0].critical() && at(0.001) < 0.5 * at(0.01));
+}
+
+/// The chain above with bonds of 0.8 of the radius, all modes but √δ's straight; damped by a tenth.
+fn bonded(who: &str) -> Header {
+    let pair = "peratomtypepair";
+    let numbers = [
+        ("radiusMultiplierBondnonlinear", 0.8),
+        ("stiffnessPerUnitAreaK_fn1", 4e7),
+        ("stiffnessPerUnitAreaKu_fn1", 8e7),
+        ("stiffnessPerUnitAreaKc_fn1", 2e7),
+        ("stiffnessPerUnitAreaK_fn2", 1e10),
+        ("stiffnessPerUnitAreaKu_fn2", 2e10),
+        ("stiffnessPerUnitAreaKc_fn2", 5e9),
+        ("stiffnessPerUnitAreaK_ft", 4e9),
+        ("stiffnessPerUnitAreaK_tn", 4e9),
+        ("stiffnessPerUnitAreaKu_tn", 4e9),
+        ("stiffnessPerUnitAreaKc_tn", 2e9),
+        ("stiffnessPerUnitAreaK_tt", 1e10),
+        ("stiffnessPerUnitAreaKu_tt", 1e10),
+        ("stiffnessPerUnitAreaKc_tt", 5e9),
+        ("dampingNormalForceBondnonlinear", 0.1),
+        ("dampingTangentialForceBondnonlinear", 0.1),
+        ("dampingNormalTorqueBondnonlinear", 0.1),
+        ("dampingTangentialTorqueBondnonlinear", 0.1),
+        ("maxDistanceBondnonlinear", 0.015),
+        ("createDistanceBondnonlinear", 0.01),
+    ];
+    let mut given: Vec<(&str, &str, f64)> = numbers.iter().map(|(name, x)| (*name, pair, *x)).collect();
+    given.push(("tsCreateBondnonlinear", "scalar", 1.0));
+    let mut h = header(who);
+    let mut bond = law("cohesion", "bond/nonlinear", h.slots.len(), &given);
+    bond.settings.insert("bondConvention".into(), "documented".into());
+    let slots =
+        ["r0", "deltaMax", "deltaMin", "ftx", "fty", "ftz", "fromx", "fromy", "fromz", "thetatx", "thetaty"];
+    h.slots.extend(slots.map(String::from));
+    let more = ["thetatz", "thetan", "thetanMax", "thetanMin", "centrex", "centrey", "centrez", "rho"];
+    h.slots.extend(more.map(String::from));
+    h.laws.push(bond);
+    h
+}
+
+#[test]
+fn bonds_have_a_step_for_each_mode_and_less_with_many_on_each_particle() {
+    let at = |bonds| {
+        let a = advise(&probe(vec![bonded("pair")], 1.0), &Asked { accuracy: 0.01, speed: None, bonds });
+        assert_eq!((a.contacts.len(), a.notes.len()), (2, 0), "{:?}", a.notes);
+        (a.recommended().unwrap(), a.contacts[1].clone())
+    };
+    let (one, bond) = at(1);
+    assert!(bond.laws == "bond/nonlinear" && bond.accurate.is_none());
+    let names: Vec<&str> = bond.limits.iter().map(|l| l.name).collect();
+    assert_eq!(names, ["compression", "tension", "twist", "shear", "bending"]);
+    let (r, m) = (0.005f64, 2500.0 * 4.0 / 3.0 * PI * 0.005f64.powi(3));
+    let (area, turn) = (PI * (0.8 * r).powi(2), 0.5 * 0.4 * m * r * r);
+    let (polar, step) = (0.5 * area * (0.8 * r).powi(2), |k: f64, m: f64| 2.0 * (m / (1.1 * k)).sqrt());
+    let expected = [
+        step(2e10 * area, 0.5 * m),
+        step(4e9 * polar, turn),
+        step(4e9 * area, 0.5 * m / 3.5),
+        step(1e10 * 0.5 * polar, turn),
+    ];
+    for (l, expected) in bond.limits[1..].iter().zip(expected) {
+        approx::assert_relative_eq!(l.critical, expected, max_relative = 1e-9);
+        approx::assert_relative_eq!(l.safe, SAFE_BOND * 0.5 * PI * expected, max_relative = 1e-9);
+    }
+    assert_eq!(one, bond.safe());
+    let (twelve, bond) = at(12);
+    approx::assert_relative_eq!(12.0f64.sqrt() * twelve, one, max_relative = 1e-9);
+    assert!(bond.critical() > bond.together.unwrap().critical, "two bodies alone bear more");
+    // Other types do not bond.
+    let mut none = bonded("pair");
+    none.laws[2].properties[0].values = vec![0.0];
+    assert_eq!(asked(&probe(vec![none], 1.0), None).contacts.len(), 1);
 }

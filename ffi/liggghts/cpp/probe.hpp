@@ -21,6 +21,8 @@ granlaw_status granlaw_probe_call(granlaw_probe *p, size_t chain, const granlaw_
                                   bool followed);
 // Whether the time step is too long for a contact of the chain; once for each pair of types.
 bool granlaw_probe_alarm(granlaw_probe *p, size_t chain, granlaw_text *out);
+// The same of the bonds that the particles can have; once for each pair of types, again until there is none.
+bool granlaw_probe_bonds_alarm(granlaw_probe *p, granlaw_text *out);
 // What this rank saw; `p` is used up.
 granlaw_status granlaw_probe_pack(granlaw_probe *p, granlaw_text *out);
 // The texts of all ranks, as one file.
@@ -57,6 +59,8 @@ class Probe {
     if (a->nlocal > 0 && a->rmass)
       p = {static_cast<size_t>(a->nlocal), a->tag, a->type, a->radius, a->rmass, a->x[0], a->v[0], a->omega[0]};
     check(granlaw_probe_sample(probe_, pass.step, &p));
+    granlaw_text text = {};
+    while (mode().alarm && granlaw_probe_bonds_alarm(probe_, &text)) warn(std::string(text.bytes, text.length));
   }
 
   // A contact is about to be evaluated. Whether it is one of those that are followed.

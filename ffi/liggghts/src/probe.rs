@@ -141,6 +141,15 @@ unsafe extern "C" fn granlaw_probe_alarm(p: *mut Probing, chain: usize, out: *mu
 }
 
 #[no_mangle]
+unsafe extern "C" fn granlaw_probe_bonds_alarm(p: *mut Probing, out: *mut Text) -> bool {
+    // SAFETY: the C++ half gives valid pointers.
+    let (p, out) = unsafe { (&mut *p, &mut *out) };
+    let Some(alarm) = p.session.as_mut().and_then(|s| s.bonds_alarm()) else { return false };
+    *out = Text::kept(alarm.into_bytes());
+    true
+}
+
+#[no_mangle]
 unsafe extern "C" fn granlaw_probe_pack(p: *mut Probing, out: *mut Text) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.

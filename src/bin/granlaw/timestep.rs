@@ -3,7 +3,7 @@ use anyhow::{bail, Context};
 use granlaw::deck::Deck;
 use granlaw::liggghts::{self, Folder, Host, Laws, Plugin, Preload};
 use granlaw::probe::Probe;
-use granlaw::study::timestep::{advise, Advice, Asked, Contact};
+use granlaw::study::timestep::{advise, Advice, Asked, Contact, Limit};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -31,6 +31,9 @@ pub struct Args {
     /// Speed of the impacts; without it, the fastest that the watched steps show.
     #[arg(long, value_name = "V", value_parser = above_zero)]
     speed: Option<f64>,
+    /// How many bonds are taken to hold a particle: 2 of a chain, 12 of a closest packing.
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
+    bonds: u32,
     /// How many steps of the deck are watched. Particles that are inserted later are not seen.
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
@@ -50,7 +53,7 @@ fn above_zero(text: &str) -> Result<f64, String> {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
     let probe = watch(args)?;
-    let asked = Asked { accuracy: args.accuracy, speed: args.speed };
+    let asked = Asked { accuracy: args.accuracy, speed: args.speed, bonds: args.bonds };
     let advice = advise(&probe, &asked);
     let Some(recommended) = advice.recommended() else {
         bail!("{}: no contact to look at: {}", args.deck.display(), advice.notes.join("; "));
@@ -93,7 +96,7 @@ fn told(deck: &Path, a: &Advice) -> String {
             n(g.fastest)
         );
     }
-    a.contacts.iter().for_each(|c| out += &contact(c, a.accuracy));
+    a.contacts.iter().for_each(|c| out += &contact(c, a));
     if let Some(stock) = &a.stock {
         let says = if stock.warns(a.dt, (0.2, 0.2)) { "would warn" } else { "would say nothing" };
         out += &format!(
@@ -120,38 +123,41 @@ fn told(deck: &Path, a: &Advice) -> String {
     )
 }
 
-fn contact(c: &Contact, accuracy: f64) -> String {
+fn contact(c: &Contact, a: &Advice) -> String {
     let radii = if c.radii[1] > 0.0 {
         format!("radii {} and {}", n(c.radii[0]), n(c.radii[1]))
     } else {
         format!("radius {}", n(c.radii[0]))
     };
     let mut out = format!(
-        "\n{}, types {}-{}: {}, {radii} m, impact at {} m/s\n",
+        "\n{}, types {}-{}: {}, {radii} m, {} at {} m/s\n",
         c.who,
         c.types[0],
         c.types[1],
         c.laws,
+        if c.together.is_some() { "blows" } else { "impact" },
         n(c.speed)
     );
     out += &format!(
         "  {:<18}{:>14}{:>16}{:>12}{:>12}{:>12}\n",
         "mode", "k [N/m]", "γ [N s/m]", "m [kg]", "stable [s]", "safe [s]"
     );
-    for l in &c.limits {
-        let m = &l.mode;
-        out += &format!(
-            "  {:<18}{:>14}{:>16}{:>12}{:>12}{:>12}\n",
-            l.name,
-            n(m.stiffness),
-            n(m.damping),
-            n(m.mass),
-            n(l.critical),
-            n(l.safe)
-        );
+    c.limits.iter().for_each(|l| out += &limit(l, l.name));
+    if let Some(l) = &c.together {
+        if a.bonds > 1 {
+            out += &limit(l, &format!("{} such on each", a.bonds));
+        }
+        return out + "  k with what damping adds; of what turns, k in N m and m in kg m²; stable with many: a lower bound\n";
     }
     let accurate = c.accurate.map_or("none that was tried".into(), s);
-    out + &format!("  for {} of the restitution: {accurate}\n", n(accuracy))
+    out + &format!("  for {} of the restitution: {accurate}\n", n(a.accuracy))
+}
+
+fn limit(l: &Limit, name: &str) -> String {
+    let m = &l.mode;
+    let numbers = [n(m.stiffness), n(m.damping), n(m.mass), n(l.critical), n(l.safe)];
+    let [k, gamma, mass, critical, safe] = numbers;
+    format!("  {name:<18}{k:>14}{gamma:>16}{mass:>12}{critical:>12}{safe:>12}\n")
 }
 
 /// Three digits.

@@ -43,6 +43,7 @@ mod documented;
 mod failure;
 mod normal;
 mod props;
+mod swings;
 mod twist;
 mod upstream;
 
@@ -157,6 +158,10 @@ impl Law for BondNonlinear {
         } else {
             documented::act(f, x, Memory::view(h), s);
         }
+    }
+
+    fn swings(f: &Fit, size: &Size, speed: f64) -> Vec<Swing> {
+        swings::of(f, size, speed)
     }
 
     fn observe(f: &Fit, x: &Contact, h: &[f64]) -> Terms {

@@ -1,10 +1,10 @@
 //! One kind of contact: two types, or a type and a wall.
-use super::{accurate, Asked, Search};
+use super::{accurate, bond, Asked, Search};
 use crate::chain::Chain;
 use crate::critical::Mode;
 use crate::law::Kind;
 use crate::laws::prop;
-use crate::probe::{Contacts, Fastest, Grains};
+use crate::probe::{Contacts, Fastest, Grains, TypePair};
 use crate::study::modes::{reached, Modes};
 use crate::study::shot::Shot;
 use crate::trace::{Header, LawSpec};
@@ -23,8 +23,11 @@ pub struct Contact {
     pub speed: f64,
     /// Radii of the spheres that need the shortest step \[m\]; of a wall, 0.
     pub radii: [f64; 2],
-    /// The modes: along the normal, along the surface, and the fastest contact that the scene has shown.
+    /// The modes: along the normal, along the surface, and the fastest contact that the scene has shown; or those of a bond.
     pub limits: Vec<Limit>,
+    /// Of bonds: the fastest mode where every particle has as many of them as asked for. Linear theory's step is then a
+    /// lower bound.
+    pub together: Option<Limit>,
     /// Longest step for the accuracy \[s\]; `None` if no step that was tried is short enough, or if nothing was tried.
     pub accurate: Option<f64>,
 }
@@ -34,6 +37,8 @@ pub struct Contact {
 pub struct Limit {
     /// Which.
     pub name: &'static str,
+    /// Whether it turns the bodies about each other: then stiffness is in N m/rad and mass in kg m².
+    pub turns: bool,
     /// The linear oscillator.
     pub mode: Mode,
     /// Longest stable step of linear theory \[s\].
@@ -50,7 +55,7 @@ impl Contact {
 
     /// The longest step at which no energy is created \[s\].
     pub fn safe(&self) -> f64 {
-        self.limits.iter().map(|l| l.safe).fold(f64::INFINITY, f64::min)
+        self.limits.iter().chain(&self.together).map(|l| l.safe).fold(f64::INFINITY, f64::min)
     }
 
     /// The longest step that is both safe and accurate \[s\].
@@ -73,14 +78,10 @@ pub(super) fn of_chain(
             header.who, law.kind, law.keyword
         ));
     }
-    let bonds = header.bonds().map(|l| l.keyword.clone());
-    if let Some(keyword) = &bonds {
-        let who = &header.who;
-        notes.push(format!(
-            "{who}: bonds are not looked at; their energy grows from a tenth of their critical step on, see granlaw laws {keyword}"
-        ));
-    }
-    header.laws.retain(|l| l.known && Some(&l.keyword) != bonds.as_ref());
+    // A bond stands in place of the other laws, so that each is looked at without the other.
+    let mut bonds = Header { laws: header.bonds().cloned().into_iter().collect(), ..header.clone() };
+    header.laws.retain(|l| l.known && !bonds.laws.contains(l));
+    bonds.laws.retain(|l| l.known);
     if !header.laws.iter().any(|l| l.kind == Kind::Normal.name() || l.kind == Kind::Cohesion.name()) {
         notes.push(format!("{}: no law along the normal is known, so nothing can be said", header.who));
         return Vec::new();
@@ -89,6 +90,7 @@ pub(super) fn of_chain(
         notes.push(format!("{}: {e}", header.who));
         return Vec::new();
     }
+    let mut bonds = (!bonds.laws.is_empty()).then(|| bonds.chain().ok()).flatten();
     let wall = header.who != "pair";
     let of = |kind: usize| grains.iter().find(|g| g.kind as usize == kind);
     let mut all = Vec::new();
@@ -102,27 +104,35 @@ pub(super) fn of_chain(
         };
         let Some(gi) = of(i) else { continue };
         for j in partners {
-            let gj = if wall { None } else { of(j) };
-            all.extend(one(c, &header, [i, j], gi, gj, asked, notes));
+            let pair = (gi, if wall { None } else { of(j) });
+            let seen = c.pairs.iter().find(|p| p.types == [i, j]);
+            let speed = asked.speed.unwrap_or(fastest(seen, pair));
+            let speed = if speed > 0.0 { speed } else { assumed(&header, notes) };
+            all.extend(one(c, &header, [i, j], pair, speed, asked.accuracy));
+            if let Some(chain) = &mut bonds {
+                let laws = c.header.bonds().map_or(String::new(), name);
+                all.extend(bond::of(chain, (&header.who, &laws), [i, j], pair, speed, asked));
+            }
         }
     }
     all
+}
+
+/// How fast bodies of these types meet at most \[m/s\].
+fn fastest(seen: Option<&TypePair>, (gi, gj): (&Grains, Option<&Grains>)) -> f64 {
+    let hardest = seen.and_then(|p| p.impact_speed.range()).map_or(0.0, |(_, most)| most);
+    hardest.max(gi.fastest + gj.map_or(0.0, |g| g.fastest))
 }
 
 fn one(
     c: &Contacts,
     header: &Header,
     types: [usize; 2],
-    gi: &Grains,
-    gj: Option<&Grains>,
-    asked: &Asked,
-    notes: &mut Vec<String>,
+    (gi, gj): (&Grains, Option<&Grains>),
+    speed: f64,
+    accuracy: f64,
 ) -> Option<Contact> {
     let seen = c.pairs.iter().find(|p| p.types == types);
-    let hardest = seen.and_then(|p| p.impact_speed.range()).map_or(0.0, |(_, most)| most);
-    let fastest = gi.fastest + gj.map_or(0.0, |g| g.fastest);
-    let speed = asked.speed.unwrap_or(hardest.max(fastest));
-    let speed = if speed > 0.0 { speed } else { assumed(header, notes) };
     let chain = || header.chain().expect("it was made before");
     // The smallest spheres are the fastest; a large partner may be worse for some laws.
     let ends = |g: Option<&Grains>| g.map_or(vec![0.0], |g| g.radius.to_vec());
@@ -153,7 +163,8 @@ fn one(
         laws: names(header),
         speed,
         radii: [shot.radius, if shot.wall { 0.0 } else { shot.radius * shot.ratio }],
-        accurate: try_out(&mut chain(), &shot, &modes, asked.accuracy),
+        accurate: try_out(&mut chain(), &shot, &modes, accuracy),
+        together: None,
         limits,
     })
 }
@@ -171,7 +182,7 @@ fn try_out(chain: &mut Chain, shot: &Shot, modes: &Modes, accuracy: f64) -> Opti
 fn limit(name: &'static str, mode: Mode, centred: bool) -> Limit {
     // With its damping centred, a mode is as stable as without.
     let bears = if centred { Mode { damping: 0.0, ..mode } } else { mode };
-    Limit { name, mode, critical: bears.step(), safe: bears.safe() }
+    Limit { name, turns: false, mode, critical: bears.step(), safe: bears.safe() }
 }
 
 fn met(f: &Fastest) -> Option<Mode> {
@@ -183,8 +194,11 @@ fn centred(header: &Header) -> bool {
 }
 
 fn names(header: &Header) -> String {
-    let name = |l: &LawSpec| format!("{}{}", l.keyword, if l.taken_over { "" } else { "/rs" });
     header.laws.iter().map(name).collect::<Vec<_>>().join(" + ")
+}
+
+fn name(l: &LawSpec) -> String {
+    format!("{}{}", l.keyword, if l.taken_over { "" } else { "/rs" })
 }
 
 /// A speed where nothing moves \[m/s\].

@@ -1,6 +1,7 @@
 //! How long the time step of a deck may be: critical steps of every mode of every pair of types, the longest step for an
 //! accuracy, and what LIGGGHTS's own check says. It reads a probe of the first steps of the deck.
 mod accurate;
+mod bond;
 mod contact;
 mod stock;
 
@@ -18,6 +19,8 @@ pub struct Asked {
     pub accuracy: f64,
     /// Speed of the impacts \[m/s\]; without it, the fastest that the scene shows.
     pub speed: Option<f64>,
+    /// How many bonds are taken to hold a particle.
+    pub bonds: u32,
 }
 
 /// What is said of a deck.
@@ -27,6 +30,8 @@ pub struct Advice {
     pub dt: f64,
     /// The error that was asked for.
     pub accuracy: f64,
+    /// How many bonds are taken to hold a particle.
+    pub bonds: u32,
     /// The particles by type.
     pub grains: Vec<Grains>,
     /// Every pair of types, and every type with every wall.
@@ -79,5 +84,13 @@ pub fn advise(probe: &Probe, asked: &Asked) -> Advice {
         notes.push(format!("all numbers are in the deck's units, {units}"));
     }
     let stock = stock::of(probe).filter(|_| units == "si");
-    Advice { dt, accuracy: asked.accuracy, grains: probe.grains.clone(), contacts, stock, notes }
+    Advice {
+        dt,
+        accuracy: asked.accuracy,
+        bonds: asked.bonds,
+        grains: probe.grains.clone(),
+        contacts,
+        stock,
+        notes,
+    }
 }
