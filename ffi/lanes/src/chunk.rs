@@ -1,12 +1,12 @@
 //! A few dozen contacts on their way through the laws, few enough to stay in the nearest cache.
-use crate::arrays::{Particles, Row, NEIGHBOUR};
+use crate::arrays::Particles;
+use crate::list::List;
 use crate::pass::NonFinite;
 use crate::unit::Unit;
 use granlaw::chain::Marks;
-use granlaw::lane::{dot, Lane};
+use granlaw::lane::dot;
 use granlaw::law::{Stage, Surface};
 use nalgebra::Vector3;
-use std::ops::Range;
 use std::ptr::null_mut;
 
 /// Contacts in a chunk at most; whole blocks of any width.
@@ -25,21 +25,23 @@ pub(crate) struct At<'a> {
     pub history: &'a [*mut f64],
 }
 
-/// Contacts that were found, and what becomes of them. All indices in it are those of particles of the pass:
-/// [`crate::arrays::Arrays::rows`] has checked them. Lanes beyond the last contact repeat it.
+/// Contacts that were found, and what becomes of them. All indices in it are those of particles of the pass: [`List`] has
+/// checked them. Lanes beyond the last contact repeat it.
 pub(crate) struct Chunk<L> {
     n: usize,
-    i: [u32; CHUNK],
-    j: [u32; CHUNK],
-    /// Numbers of the neighbours, all rows of the list counted through.
+    /// Particles i and j.
+    pairs: [[u32; 2]; CHUNK],
+    /// From j to i \[m\].
+    delta: [[f64; CHUNK]; 3],
+    /// Numbers of the neighbours, all rows of the list counted through; for a while as floating numbers.
     slot: [u32; CHUNK],
-    /// Rows of history.
+    number: [u64; CHUNK],
+    /// Rows of history, and flags.
     history: [*mut f64; CHUNK],
     flags: [*mut i32; CHUNK],
     blocks: Vec<Block<L>>,
-    /// Takes the history of lanes without a contact, and the flags of contacts without one.
+    /// Takes the history of lanes without a contact.
     nowhere: Vec<f64>,
-    no_flags: Box<i32>,
 }
 
 impl<L: Unit> Chunk<L> {
@@ -47,23 +49,19 @@ impl<L: Unit> Chunk<L> {
         let block = Block { surface: Surface::default(), stage: Stage::default() };
         Chunk {
             n: 0,
-            i: [0; CHUNK],
-            j: [0; CHUNK],
+            pairs: [[0; 2]; CHUNK],
+            delta: [[0.0; CHUNK]; 3],
             slot: [0; CHUNK],
+            number: [0; CHUNK],
             history: [null_mut(); CHUNK],
             flags: [null_mut(); CHUNK],
             blocks: vec![block; CHUNK / L::WIDTH],
             nowhere: vec![0.0; row],
-            no_flags: Box::default(),
         }
     }
 
     pub fn len(&self) -> usize {
         self.n
-    }
-
-    pub fn is_full(&self) -> bool {
-        self.n == CHUNK
     }
 
     pub fn clear(&mut self) {
@@ -72,102 +70,127 @@ impl<L: Unit> Chunk<L> {
 
     /// Contact `k`: particles i and j, and its neighbour number.
     pub fn contact(&self, k: usize) -> (usize, usize, usize) {
-        (self.i[k] as usize, self.j[k] as usize, self.slot[k] as usize)
+        let [i, j] = self.pairs[k];
+        (i as usize, j as usize, self.slot[k] as usize)
     }
 
-    /// Take up the neighbours of a row that touch, from number `from` on, as many as there is room for; the answer is the
-    /// number of the first one that was not looked at. `dnum` is the length of a row of history, `radius` that of all
-    /// particles where they are alike.
+    /// Take up the neighbours that touch, from number `from` on, until there is no room; the answer is the number of the
+    /// first one that was not looked at. `radius` is that of all particles where they are alike.
     #[inline(always)]
-    pub fn take(
-        &mut self,
-        p: &Particles<'_>,
-        row: &Row,
-        from: usize,
-        dnum: usize,
-        radius: Option<f64>,
-    ) -> usize {
-        let to = row.neighbours.len().min(from + CHUNK - self.n);
-        let begin = self.n;
-        match radius {
-            Some(r) => self.sift(
-                p,
-                row,
-                from..to,
-                #[inline(always)]
-                |_| r,
-            ),
-            // SAFETY: see `sift`.
-            None => self.sift(
-                p,
-                row,
-                from..to,
-                #[inline(always)]
-                |k| unsafe { *p.radius.get_unchecked(k) },
-            ),
-        }
-        let (history, dnum) =
-            if row.history.is_null() { (self.nowhere.as_mut_ptr(), 0) } else { (row.history, dnum) };
-        let (flags, each) = if row.flags.is_null() { (&raw mut *self.no_flags, 0) } else { (row.flags, 1) };
-        for k in begin..self.n {
-            let at = self.slot[k] as usize;
-            self.i[k] = row.i;
-            self.slot[k] += row.slot;
-            self.history[k] = history.wrapping_add(dnum * at);
-            self.flags[k] = flags.wrapping_add(each * at);
-            prefetch(self.history[k]);
-        }
-        to
-    }
-
-    /// Note which of these neighbours of a row touch, by index and by number within the row.
-    #[inline(always)]
-    fn sift(&mut self, p: &Particles<'_>, row: &Row, these: Range<usize>, radius: impl Fn(usize) -> f64) {
-        let (mut n, i) = (self.n, row.i as usize);
-        // SAFETY: i and all j are indices of particles, see [`Chunk`]; n stays below CHUNK, as at most one contact
-        // comes of each neighbour.
+    pub fn take(&mut self, p: &Particles<'_>, list: &List, from: usize, radius: Option<f64>) -> usize {
+        let (mut k, end) = (from, list.pairs.len());
+        // SAFETY: all indices are those of particles, and there is room for what is found in a group.
         unsafe {
-            let (xi, ri) = (*p.x.get_unchecked(i), radius(i));
-            for k in these {
-                let j = row.neighbours.get_unchecked(k) & NEIGHBOUR;
-                let (xj, rj) = (p.x.get_unchecked(j as usize), radius(j as usize));
-                let (dx, dy, dz) = (xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]);
-                let reach = ri + rj;
-                *self.j.get_unchecked_mut(n) = j;
-                *self.slot.get_unchecked_mut(n) = k as u32;
-                n += usize::from(dx * dx + dy * dy + dz * dz < reach * reach);
+            while k + L::WIDTH <= end && self.n + L::WIDTH <= CHUNK {
+                self.sift::<L>(p, list, k, radius);
+                k += L::WIDTH;
+            }
+            while k + L::WIDTH > end && k < end && self.n < CHUNK {
+                self.sift::<f64>(p, list, k, radius);
+                k += 1;
             }
         }
-        self.n = n;
+        self.locate(list);
+        k
+    }
+
+    /// Note which of a few neighbours touch.
+    ///
+    /// # Safety
+    /// The list holds as many neighbours from `k` on as `G` is wide, and the chunk has room for them.
+    #[inline(always)]
+    unsafe fn sift<G: Unit>(&mut self, p: &Particles<'_>, list: &List, k: usize, radius: Option<f64>) {
+        // SAFETY: as the caller promises; every index is that of a particle.
+        unsafe {
+            let pairs = list.pairs.as_ptr().add(k);
+            let i = |k: usize| (*pairs.add(k))[0] as usize;
+            let j = |k: usize| (*pairs.add(k))[1] as usize;
+            let delta = G::differences(
+                #[inline(always)]
+                |k| p.x.as_ptr().add(i(k)),
+                #[inline(always)]
+                |k| p.x.as_ptr().add(j(k)),
+            );
+            let reach = match radius {
+                Some(r) => G::splat(r + r),
+                None => {
+                    let of = |k: usize| *p.radius.get_unchecked(k);
+                    G::from_fn(|k| of(i(k))) + G::from_fn(|k| of(j(k)))
+                }
+            };
+            let near = G::bits((reach * reach).gt(dot(&delta, &delta)));
+            let number = G::from_fn(|lane| f64::from_bits((k + lane) as u64));
+            G::load(pairs.cast()).first(near).store(self.pairs.as_mut_ptr().add(self.n).cast());
+            number.first(near).store(self.number.as_mut_ptr().add(self.n).cast());
+            for (c, d) in delta.iter().enumerate() {
+                d.first(near).store(self.delta[c].as_mut_ptr().add(self.n));
+            }
+            self.n += near.count_ones() as usize;
+        }
+    }
+
+    /// Find out where the contacts keep their flags and histories.
+    #[inline(always)]
+    fn locate(&mut self, list: &List) {
+        for k in 0..self.n {
+            self.slot[k] = self.number[k] as u32;
+            // SAFETY: the pair is that of this neighbour.
+            (self.history[k], self.flags[k]) = unsafe { list.places(self.pairs[k][0], self.slot[k]) };
+            if !self.nowhere.is_empty() {
+                prefetch(self.history[k]);
+            }
+        }
     }
 
     /// Fill the lanes beyond the last contact.
     #[inline(always)]
     fn pad(&mut self) {
+        let last = self.n - 1;
         for k in self.n..self.n.next_multiple_of(L::WIDTH) {
-            (self.i[k], self.j[k], self.slot[k]) =
-                (self.i[self.n - 1], self.j[self.n - 1], self.slot[self.n - 1]);
+            (self.pairs[k], self.slot[k]) = (self.pairs[last], self.slot[last]);
+            self.delta.iter_mut().for_each(|d| d[k] = d[last]);
             self.history[k] = self.nowhere.as_mut_ptr();
         }
     }
 
     /// Work out the surfaces; false where one is not finite.
     #[inline(always)]
-    pub fn look(&mut self, p: &Particles<'_>) -> bool {
+    pub fn look(&mut self, p: &Particles<'_>, radius: Option<f64>) -> bool {
         self.pad();
-        let mut finite = true;
+        let mut wrong = L::splat(0.0);
         for (b, block) in self.blocks[..self.n.div_ceil(L::WIDTH)].iter_mut().enumerate() {
-            let (i, j) = (&self.i[b * L::WIDTH..][..L::WIDTH], &self.j[b * L::WIDTH..][..L::WIDTH]);
-            let delta = gather::<L>(p.x, i) - gather::<L>(p.x, j);
-            let v = gather::<L>(p.v, i) - gather::<L>(p.v, j);
-            let (wi, wj) = (gather(p.omega, i), gather(p.omega, j));
+            let pairs = &self.pairs[b * L::WIDTH..][..L::WIDTH];
+            let (i, j) = (|k: usize| pairs[k][0] as usize, |k: usize| pairs[k][1] as usize);
             // SAFETY: indices of particles, see [`Chunk`].
-            let radius = |of: &[u32], k: usize| unsafe { *p.radius.get_unchecked(of[k] as usize) };
-            let (ri, rj) = (L::from_fn(|k| radius(i, k)), L::from_fn(|k| radius(j, k)));
-            block.surface = Surface::between(&delta, dot(&delta, &delta), (ri, rj), &v, (&wi, &wj));
-            finite &= !L::any(!L::splat(f64::MAX).ge(sum(&block.surface).abs()));
+            unsafe {
+                let of = |c: usize| L::load(self.delta[c].as_ptr().add(b * L::WIDTH));
+                let delta = Vector3::new(of(0), of(1), of(2));
+                let (v, w) = (p.v.as_ptr(), p.omega.as_ptr());
+                let v = L::differences(
+                    #[inline(always)]
+                    |k| v.add(i(k)),
+                    #[inline(always)]
+                    |k| v.add(j(k)),
+                );
+                let wi = L::gather(
+                    #[inline(always)]
+                    |k| w.add(i(k)),
+                );
+                let wj = L::gather(
+                    #[inline(always)]
+                    |k| w.add(j(k)),
+                );
+                let of = |k: usize| *p.radius.get_unchecked(k);
+                let radii = match radius {
+                    Some(r) => (L::splat(r), L::splat(r)),
+                    None => (L::from_fn(|k| of(i(k))), L::from_fn(|k| of(j(k)))),
+                };
+                block.surface = Surface::between(&delta, dot(&delta, &delta), radii, &v, (&wi, &wj));
+            }
+            // 0, or NaN once a surface is not finite.
+            wrong += sum(&block.surface) * L::splat(0.0);
         }
-        finite
+        !L::any(!wrong.ge(L::splat(0.0)))
     }
 
     /// The first contact whose surfaces are not finite; the last one if all are.
@@ -189,53 +212,55 @@ impl<L: Unit> Chunk<L> {
     /// Let a law work on all contacts. `work` gets the place of a block's first contact in the lists, and the block.
     #[inline(always)]
     pub fn each_block(&mut self, mut work: impl FnMut(&At<'_>, &mut Block<L>)) {
-        let n = self.n.div_ceil(L::WIDTH);
-        for (b, block) in self.blocks[..n].iter_mut().enumerate() {
+        for b in 0..self.n.div_ceil(L::WIDTH) {
             let of = b * L::WIDTH..(b + 1) * L::WIDTH;
-            work(&At { slot: &self.slot[of.clone()], history: &self.history[of] }, block);
+            // SAFETY: there are as many blocks as contacts have room in.
+            let (block, slot, history) = unsafe {
+                (
+                    self.blocks.get_unchecked_mut(b),
+                    self.slot.get_unchecked(of.clone()),
+                    self.history.get_unchecked(of),
+                )
+            };
+            work(&At { slot, history }, block);
         }
     }
 
-    /// Add forces and torques in the order of the contacts, and set the contact flags. Particles from `forced` on
-    /// belong to other ranks and get none.
+    /// Add forces and torques in the order of the contacts. Particles from `forced` on belong to other ranks and get none.
     #[inline(always)]
-    pub fn hand_out(&self, p: &mut Particles<'_>, forced: usize, marks: Marks) {
-        let mut begin = 0;
-        while begin < self.n {
-            let i = self.i[begin];
-            let end = begin + self.i[begin..self.n].iter().take_while(|k| **k == i).count();
-            // SAFETY: indices of particles, see [`Chunk`]; none is its own neighbour.
-            let (mut f, mut torque) =
-                unsafe { (*p.f.get_unchecked(i as usize), *p.torque.get_unchecked(i as usize)) };
-            for k in begin..end {
-                let (s, lane) = (&self.blocks[k / L::WIDTH].stage, k % L::WIDTH);
-                let force = one(&s.force, lane);
-                add(&mut f, force);
-                add(&mut torque, one(&s.torque_i, lane));
-                let j = self.j[k] as usize;
-                if j < forced {
-                    // SAFETY: as above.
-                    unsafe {
+    pub fn hand_out(&self, p: &mut Particles<'_>, forced: usize) {
+        // SAFETY: indices of particles, see [`Chunk`]; none is its own neighbour.
+        unsafe {
+            let (f, torque) = (p.f.as_mut_ptr(), p.torque.as_mut_ptr());
+            let mut i = self.pairs[0][0] as usize;
+            let (mut fi, mut torque_i) = (*f.add(i), *torque.add(i));
+            for (b, of) in self.pairs[..self.n].chunks(L::WIDTH).enumerate() {
+                let s = &self.blocks[b].stage;
+                let (force, on_i, on_j) = (rows(&s.force), rows(&s.torque_i), rows(&s.torque_j));
+                for (k, [next, j]) in of.iter().map(|pair| pair.map(|p| p as usize)).enumerate() {
+                    if next != i {
+                        (*f.add(i), *torque.add(i)) = (fi, torque_i);
+                        i = next;
+                        (fi, torque_i) = (*f.add(i), *torque.add(i));
+                    }
+                    add(&mut fi, force[k]);
+                    add(&mut torque_i, on_i[k]);
+                    if j < forced {
                         // Zero less the force, as a contact alone has it: the sign of a zero may differ.
-                        add(p.f.get_unchecked_mut(j), force.map(|f| 0.0 - f));
-                        add(p.torque.get_unchecked_mut(j), one(&s.torque_j, lane));
+                        add(&mut *f.add(j), force[k].map(|f| 0.0 - f));
+                        add(&mut *torque.add(j), on_j[k]);
                     }
                 }
             }
-            // SAFETY: as above.
-            unsafe {
-                *p.f.get_unchecked_mut(i as usize) = f;
-                *p.torque.get_unchecked_mut(i as usize) = torque;
-            }
-            begin = end;
+            (*f.add(i), *torque.add(i)) = (fi, torque_i);
         }
-        self.mark(marks);
     }
 
+    /// Set and clear the contact flags, which all contacts must have.
     #[inline(always)]
-    fn mark(&self, marks: Marks) {
+    pub fn mark(&self, marks: Marks) {
         for flags in &self.flags[..self.n] {
-            // SAFETY: LIGGGHTS keeps a flag for each neighbour of a row that has flags; else they lead to `no_flags`.
+            // SAFETY: LIGGGHTS keeps a flag for each neighbour of a row that has flags.
             let flags = unsafe { &mut **flags };
             let new = (*flags | marks.set) & !marks.clear;
             if new != *flags {
@@ -245,10 +270,20 @@ impl<L: Unit> Chunk<L> {
     }
 }
 
-/// The vector of one lane, read where it lies.
+/// A vector per lane.
 #[inline(always)]
-fn one<L: Lane>(v: &Vector3<L>, lane: usize) -> [f64; 3] {
-    [v.x.lane(lane), v.y.lane(lane), v.z.lane(lane)]
+fn rows<L: Unit>(v: &Vector3<L>) -> [[f64; 3]; 8] {
+    let mut rows = [[0.0; 3]; 8];
+    let first = rows.as_mut_ptr();
+    // SAFETY: no unit is wider than the array.
+    unsafe {
+        L::scatter(
+            v,
+            #[inline(always)]
+            |k| first.add(k),
+        );
+    }
+    rows
 }
 
 #[inline(always)]
@@ -270,17 +305,9 @@ fn prefetch(p: *const f64) {
     let _ = p;
 }
 
-/// Vectors of some particles, side by side.
+/// Not finite if anything of the surface is not, as all of it goes into the tangential velocity; finite numbers of a
+/// simulation do not overflow it.
 #[inline(always)]
-fn gather<L: Lane>(from: &[[f64; 3]], of: &[u32]) -> Vector3<L> {
-    // SAFETY: indices of particles, see [`Chunk`].
-    let number = |k: usize, c: usize| unsafe { from.get_unchecked(of[k] as usize)[c] };
-    Vector3::new(L::from_fn(|k| number(k, 0)), L::from_fn(|k| number(k, 1)), L::from_fn(|k| number(k, 2)))
-}
-
-/// Any NaN or infinity survives the sum; finite numbers of a simulation do not overflow it.
-#[inline(always)]
-fn sum<L: Lane>(s: &Surface<L>) -> L {
-    let of = |v: &Vector3<L>| v.x + v.y + v.z;
-    s.deltan + s.vn + of(&s.en) + of(&s.vtr) + of(&s.roll) + s.cri + s.crj
+fn sum<L: Unit>(s: &Surface<L>) -> L {
+    s.deltan + s.vn + (s.vtr.x + s.vtr.y + s.vtr.z)
 }

@@ -2,6 +2,7 @@
 use crate::chunk::{At, Block, Chunk};
 use crate::unit::Unit;
 use granlaw::law::{Call, ForLanes, LaneLaw, LawError, Mark, Setup, Size, Stage};
+use nalgebra::Vector3;
 use std::marker::PhantomData;
 
 /// A law prepared for lanes of one width.
@@ -53,34 +54,66 @@ struct Prepared<W: LaneLaw, L: Unit> {
 
 impl<W: LaneLaw, L: Unit> Prepared<W, L> {
     const SLOTS: usize = W::META.slots.len();
+    /// The slots that are read and written three at a time, as vectors are.
+    const THREES: usize = Self::SLOTS / 3 * 3;
 
     #[inline(always)]
     fn touch_block(&self, f: &W::FitOf<L>, at: &At<'_>, b: &mut Block<L>, call: &Call, first: bool) -> Mark {
-        let mut stage = if first { Stage::default() } else { b.stage };
+        let Block { surface, stage } = b;
+        if first {
+            *stage = Stage::default();
+        }
         stage.mark = Mark::Leave;
         let mut h = self.history(at);
-        W::touch_lanes::<L>(f, call, &b.surface, &mut h, &mut stage);
-        b.stage = stage;
-        for (c, column) in h.as_ref().iter().enumerate() {
-            for k in 0..L::WIDTH {
-                // SAFETY: as in `history`; rows of different contacts do not overlap.
-                unsafe { *at.history[k].add(self.at + c) = column.lane(k) };
-            }
-        }
+        W::touch_lanes::<L>(f, call, surface, &mut h, stage);
+        self.keep(at, h.as_ref());
         stage.mark
     }
 
     #[inline(always)]
     fn history(&self, at: &At<'_>) -> W::HistoryOf<L> {
         let mut columns = [L::splat(0.0); MOST_SLOTS];
-        for (c, column) in columns.iter_mut().enumerate().take(Self::SLOTS) {
+        let place = |k: usize, c: usize| at.history[k].wrapping_add(self.at + c).cast_const();
+        for c in (0..Self::THREES).step_by(3) {
             // SAFETY: every contact of a block has a row that holds the slots of all laws of the chain.
-            *column = L::from_fn(|k| unsafe { *at.history[k].add(self.at + c) });
+            let three = unsafe {
+                L::gather(
+                    #[inline(always)]
+                    |k| place(k, c).cast(),
+                )
+            };
+            columns[c..c + 3].copy_from_slice(three.as_slice());
+        }
+        for c in Self::THREES..Self::SLOTS {
+            // SAFETY: as above.
+            columns[c] = L::from_fn(|k| unsafe { *place(k, c) });
         }
         let Ok(h) = W::HistoryOf::<L>::try_from(&columns[..Self::SLOTS]) else {
             unreachable!("the history of a law has as many numbers as it has slots")
         };
         h
+    }
+
+    #[inline(always)]
+    fn keep(&self, at: &At<'_>, columns: &[L]) {
+        let place = |k: usize, c: usize| at.history[k].wrapping_add(self.at + c);
+        for c in (0..Self::THREES).step_by(3) {
+            let three = Vector3::new(columns[c], columns[c + 1], columns[c + 2]);
+            // SAFETY: as in `history`; rows of different contacts do not overlap.
+            unsafe {
+                L::scatter(
+                    &three,
+                    #[inline(always)]
+                    |k| place(k, c).cast(),
+                );
+            }
+        }
+        for c in Self::THREES..Self::SLOTS {
+            for k in 0..L::WIDTH {
+                // SAFETY: as above.
+                unsafe { *place(k, c) = columns[c].lane(k) };
+            }
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 pub mod arrays;
 mod chunk;
 mod kernel;
+mod list;
 mod pass;
 mod seen;
 mod unit;

@@ -1,7 +1,8 @@
 //! One pass over all contacts of a step: find those that touch, run the laws, add up.
-use crate::arrays::{Arrays, Particles, Row};
+use crate::arrays::{Arrays, Particles};
 use crate::chunk::Chunk;
 use crate::kernel::{Kernel, Kernels};
+use crate::list::List;
 use crate::seen::{size, Seen};
 use crate::unit::Unit;
 use crate::Batch;
@@ -43,8 +44,7 @@ pub(crate) struct Pass<L: Unit> {
     types: usize,
     /// The length that a row of history must have at least.
     row: usize,
-    rows: Vec<Row>,
-    slots: usize,
+    list: List,
     seen: Seen,
     /// Which neighbours have fits; empty where all contacts are alike.
     fitted: Vec<bool>,
@@ -69,8 +69,7 @@ impl<L: Unit + 'static> Pass<L> {
             links,
             types: setups.first().map_or(0, |s| s.values.types),
             row,
-            rows: Vec::new(),
-            slots: 0,
+            list: List::default(),
             seen: Seen::default(),
             fitted: Vec::new(),
             radius: None,
@@ -85,11 +84,11 @@ impl<L: Unit + 'static> Pass<L> {
     /// As [`Batch::pass`].
     unsafe fn prepare(&mut self, a: &Arrays, p: &Particles<'_>) -> Result<(), Trouble> {
         if a.rebuilt {
-            // SAFETY: as the caller promises.
-            let slots = unsafe { a.rows(&mut self.rows) };
-            self.slots =
-                slots.ok_or(Trouble::Arrays("the neighbour list names a particle that is not there"))?;
-            if self.row > 0 && (a.row < self.row || self.rows.iter().any(|r| r.history.is_null())) {
+            // SAFETY: as the caller promises, here and below.
+            unsafe { self.list.renew(a) }
+                .ok_or(Trouble::Arrays("the neighbour list names a particle that is not there, or twice"))?;
+            // SAFETY: as above.
+            if self.row > 0 && (a.row < self.row || unsafe { !self.list.has_history(a) }) {
                 return Err(Trouble::Arrays("the neighbour list has no room for the laws' history"));
             }
         }
@@ -113,8 +112,8 @@ impl<L: Unit + 'static> Pass<L> {
                 self.links.iter_mut().for_each(|l| l.kernel.fit_all(pair, &size));
             }
             None => {
-                self.fitted.resize(self.slots, false);
-                self.links.iter_mut().for_each(|l| l.kernel.fit_none(self.slots));
+                self.fitted.resize(self.list.pairs.len(), false);
+                self.links.iter_mut().for_each(|l| l.kernel.fit_none(self.list.pairs.len()));
             }
         }
     }
@@ -122,17 +121,12 @@ impl<L: Unit + 'static> Pass<L> {
     #[inline(always)]
     fn walk(&mut self, a: &Arrays, p: &mut Particles<'_>) -> Result<(), Trouble> {
         self.chunk.clear();
-        for r in 0..self.rows.len() {
-            let mut from = 0;
-            while from < self.rows[r].neighbours.len() {
-                from = self.chunk.take(p, &self.rows[r], from, a.row, self.radius);
-                if self.chunk.is_full() {
-                    self.evaluate(a, p)?;
-                }
+        let mut from = 0;
+        while from < self.list.pairs.len() {
+            from = self.chunk.take(p, &self.list, from, self.radius);
+            if self.chunk.len() > 0 {
+                self.evaluate(a, p)?;
             }
-        }
-        if self.chunk.len() > 0 {
-            self.evaluate(a, p)?;
         }
         Ok(())
     }
@@ -140,7 +134,7 @@ impl<L: Unit + 'static> Pass<L> {
     /// The laws over the contacts of the chunk.
     #[inline(always)]
     fn evaluate(&mut self, a: &Arrays, p: &mut Particles<'_>) -> Result<(), Trouble> {
-        if !self.chunk.look(p) {
+        if !self.chunk.look(p, self.radius) {
             return Err(Trouble::NonFinite(self.chunk.non_finite()));
         }
         if !self.fitted.is_empty() {
@@ -156,7 +150,10 @@ impl<L: Unit + 'static> Pass<L> {
                 Mark::Leave => {}
             }
         }
-        self.chunk.hand_out(p, a.forced, marks);
+        self.chunk.hand_out(p, a.forced);
+        if !a.flags.is_null() {
+            self.chunk.mark(marks);
+        }
         self.contacts += self.chunk.len() as u64;
         self.chunk.clear();
         Ok(())
@@ -197,11 +194,11 @@ impl<L: Unit + 'static> Batch for Pass<L> {
     }
 
     fn neighbours(&self) -> usize {
-        self.slots
+        self.list.pairs.len()
     }
 
     fn bytes(&self) -> usize {
         let kernels: usize = self.links.iter().map(|l| l.kernel.bytes()).sum();
-        kernels + self.fitted.capacity() + self.rows.capacity() * size_of::<Row>() + self.seen.bytes()
+        kernels + self.fitted.capacity() + self.list.bytes() + self.seen.bytes()
     }
 }

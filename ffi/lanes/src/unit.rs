@@ -3,6 +3,7 @@ use crate::pass::Pass;
 use crate::Batch;
 use granlaw::lane::{Lane, Pack};
 use granlaw::law::{LawError, Setup};
+use nalgebra::Vector3;
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -15,9 +16,96 @@ pub(crate) trait Unit: Lane {
     fn run<R>(work: impl FnOnce() -> R) -> R {
         work()
     }
+
+    /// The numbers from here on, one per lane; they need not be aligned.
+    ///
+    /// # Safety
+    /// They can be read.
+    #[inline(always)]
+    unsafe fn load(from: *const f64) -> Self {
+        // SAFETY: as the caller promises.
+        Self::from_fn(|k| unsafe { from.add(k).read_unaligned() })
+    }
+
+    /// Write the lanes from here on; the place need not be aligned.
+    ///
+    /// # Safety
+    /// They can be written.
+    #[inline(always)]
+    unsafe fn store(self, to: *mut f64) {
+        for k in 0..Self::WIDTH {
+            // SAFETY: as the caller promises.
+            unsafe { to.add(k).write_unaligned(self.lane(k)) };
+        }
+    }
+
+    /// Three numbers per lane, side by side.
+    ///
+    /// # Safety
+    /// All places can be read.
+    #[inline(always)]
+    unsafe fn gather(at: impl Fn(usize) -> *const [f64; 3]) -> Vector3<Self> {
+        // SAFETY: as the caller promises.
+        let number = |k: usize, c: usize| unsafe { (*at(k))[c] };
+        let side_by_side = |c: usize| Self::from_fn(|k| number(k, c));
+        Vector3::new(side_by_side(0), side_by_side(1), side_by_side(2))
+    }
+
+    /// The numbers at one place less those at another.
+    ///
+    /// # Safety
+    /// All places can be read.
+    #[inline(always)]
+    unsafe fn differences(
+        of: impl Fn(usize) -> *const [f64; 3],
+        less: impl Fn(usize) -> *const [f64; 3],
+    ) -> Vector3<Self> {
+        // SAFETY: as the caller promises.
+        unsafe { Self::gather(of) - Self::gather(less) }
+    }
+
+    /// Write three numbers of each lane.
+    ///
+    /// # Safety
+    /// All places can be written.
+    #[inline(always)]
+    unsafe fn scatter(v: &Vector3<Self>, to: impl Fn(usize) -> *mut [f64; 3]) {
+        for k in 0..Self::WIDTH {
+            // SAFETY: as the caller promises.
+            unsafe { *to(k) = [v.x.lane(k), v.y.lane(k), v.z.lane(k)] };
+        }
+    }
+
+    /// A bit per lane.
+    #[inline(always)]
+    fn bits(mask: Self::Mask) -> u32 {
+        let ones = Self::select(mask, Self::splat(1.0), Self::splat(0.0));
+        (0..Self::WIDTH).fold(0, |bits, k| bits | u32::from(ones.lane(k) > 0.0) << k)
+    }
+
+    /// The lanes whose bits are set, moved to the front; what follows them means nothing.
+    #[inline(always)]
+    fn first(self, bits: u32) -> Self {
+        let mut numbers = [0.0; 8];
+        let mut n = 0;
+        for k in 0..Self::WIDTH {
+            numbers[n] = self.lane(k);
+            n += (bits >> k & 1) as usize;
+        }
+        Self::from_fn(|k| numbers[k])
+    }
 }
 
-impl Unit for f64 {}
+impl Unit for f64 {
+    #[inline(always)]
+    fn bits(mask: bool) -> u32 {
+        mask.into()
+    }
+    #[inline(always)]
+    fn first(self, _: u32) -> f64 {
+        self
+    }
+}
 impl<const N: usize> Unit for Pack<N> {}
 
 /// How many contacts go side by side.

@@ -1,12 +1,13 @@
 //! Four numbers in a register of AVX2.
 use super::{operators, Unit};
 use granlaw::lane::Lane;
+use nalgebra::Vector3;
 use std::arch::x86_64::*;
 use std::ops::{BitAnd, BitOr, Neg, Not};
 
 /// Four numbers. Only [`super::batch`] may let it be used, after asking the processor for AVX2.
 #[derive(Clone, Copy, Debug)]
-pub struct Avx2(__m256d);
+pub struct Avx2(pub(super) __m256d);
 
 /// Four truth values: all bits or none.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +28,121 @@ impl Unit for Avx2 {
         }
         // SAFETY: the unit is only chosen where the processor has AVX2.
         unsafe { with(work) }
+    }
+
+    #[inline(always)]
+    unsafe fn load(from: *const f64) -> Avx2 {
+        // SAFETY: as the caller promises; a unit is only chosen where the processor has it.
+        unsafe { Avx2(_mm256_loadu_pd(from)) }
+    }
+
+    #[inline(always)]
+    unsafe fn store(self, to: *mut f64) {
+        // SAFETY: as above.
+        unsafe { _mm256_storeu_pd(to, self.0) }
+    }
+
+    #[inline(always)]
+    unsafe fn gather(at: impl Fn(usize) -> *const [f64; 3]) -> Vector3<Avx2> {
+        // SAFETY: as above.
+        unsafe { turned([row(at(0)), row(at(1)), row(at(2)), row(at(3))]) }
+    }
+
+    #[inline(always)]
+    unsafe fn differences(
+        of: impl Fn(usize) -> *const [f64; 3],
+        less: impl Fn(usize) -> *const [f64; 3],
+    ) -> Vector3<Avx2> {
+        // SAFETY: as above.
+        unsafe {
+            let d = |k: usize| _mm256_sub_pd(row(of(k)), row(less(k)));
+            turned([d(0), d(1), d(2), d(3)])
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn scatter(v: &Vector3<Avx2>, to: impl Fn(usize) -> *mut [f64; 3]) {
+        // SAFETY: as above.
+        unsafe {
+            let (even, odd) = (_mm256_unpacklo_pd(v.x.0, v.y.0), _mm256_unpackhi_pd(v.x.0, v.y.0));
+            let (low, high) = (_mm256_castpd256_pd128(v.z.0), _mm256_extractf128_pd::<1>(v.z.0));
+            let at = |k: usize| to(k).cast::<f64>();
+            _mm_storeu_pd(at(0), _mm256_castpd256_pd128(even));
+            _mm_storel_pd(at(0).add(2), low);
+            _mm_storeu_pd(at(1), _mm256_castpd256_pd128(odd));
+            _mm_storeh_pd(at(1).add(2), low);
+            _mm_storeu_pd(at(2), _mm256_extractf128_pd::<1>(even));
+            _mm_storel_pd(at(2).add(2), high);
+            _mm_storeu_pd(at(3), _mm256_extractf128_pd::<1>(odd));
+            _mm_storeh_pd(at(3).add(2), high);
+        }
+    }
+
+    #[inline(always)]
+    fn bits(mask: Mask) -> u32 {
+        // SAFETY: a unit is only chosen where the processor has it.
+        unsafe { _mm256_movemask_pd(mask.0) as u32 }
+    }
+
+    #[inline(always)]
+    fn first(self, bits: u32) -> Avx2 {
+        // SAFETY: as above; the table has a row for each of the 16 sets of four bits.
+        unsafe {
+            let order = _mm256_load_si256(FIRST.0.as_ptr().add((bits & 15) as usize).cast());
+            Avx2(_mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(self.0), order)))
+        }
+    }
+}
+
+/// For each set of lanes the order that brings them to the front, in halves of lanes.
+static FIRST: First = First(first());
+
+#[repr(align(32))]
+struct First([[u32; 8]; 16]);
+
+const fn first() -> [[u32; 8]; 16] {
+    let mut table = [[0; 8]; 16];
+    let mut bits = 0;
+    while bits < 16 {
+        let (mut n, mut k) = (0, 0);
+        while k < 4 {
+            if bits >> k & 1 == 1 {
+                table[bits][2 * n] = 2 * k;
+                table[bits][2 * n + 1] = 2 * k + 1;
+                n += 1;
+            }
+            k += 1;
+        }
+        bits += 1;
+    }
+    table
+}
+
+/// Three numbers; the fourth is not touched.
+///
+/// # Safety
+/// They can be read, and the processor has AVX2.
+#[inline(always)]
+unsafe fn row(from: *const [f64; 3]) -> __m256d {
+    // SAFETY: as the caller promises.
+    unsafe { _mm256_maskload_pd(from.cast(), _mm256_setr_epi64x(-1, -1, -1, 0)) }
+}
+
+/// Rows turned into columns.
+///
+/// # Safety
+/// The processor has AVX2.
+#[inline(always)]
+unsafe fn turned([a, b, c, d]: [__m256d; 4]) -> Vector3<Avx2> {
+    // SAFETY: as the caller promises.
+    unsafe {
+        let (ab, cd) = (_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d));
+        let y = (_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d));
+        Vector3::new(
+            Avx2(_mm256_permute2f128_pd::<0x20>(ab, cd)),
+            Avx2(_mm256_permute2f128_pd::<0x20>(y.0, y.1)),
+            Avx2(_mm256_permute2f128_pd::<0x31>(ab, cd)),
+        )
     }
 }
 

@@ -1,6 +1,8 @@
 //! Eight numbers in a register of AVX-512.
+use super::avx2::Avx2;
 use super::{operators, Unit};
 use granlaw::lane::Lane;
+use nalgebra::Vector3;
 use std::arch::x86_64::*;
 use std::ops::Neg;
 
@@ -24,6 +26,67 @@ impl Unit for Avx512 {
         // SAFETY: the unit is only chosen where the processor has AVX-512.
         unsafe { with(work) }
     }
+
+    #[inline(always)]
+    unsafe fn load(from: *const f64) -> Avx512 {
+        // SAFETY: as the caller promises; a unit is only chosen where the processor has it.
+        unsafe { Avx512(_mm512_loadu_pd(from)) }
+    }
+
+    #[inline(always)]
+    unsafe fn store(self, to: *mut f64) {
+        // SAFETY: as above.
+        unsafe { _mm512_storeu_pd(to, self.0) }
+    }
+
+    #[inline(always)]
+    unsafe fn gather(at: impl Fn(usize) -> *const [f64; 3]) -> Vector3<Avx512> {
+        // SAFETY: as above; where the processor has AVX-512 it has AVX2.
+        unsafe { joined(&Avx2::gather(&at), &Avx2::gather(|k| at(k + 4))) }
+    }
+
+    #[inline(always)]
+    unsafe fn differences(
+        of: impl Fn(usize) -> *const [f64; 3],
+        less: impl Fn(usize) -> *const [f64; 3],
+    ) -> Vector3<Avx512> {
+        // SAFETY: as above.
+        unsafe { joined(&Avx2::differences(&of, &less), &Avx2::differences(|k| of(k + 4), |k| less(k + 4))) }
+    }
+
+    #[inline(always)]
+    unsafe fn scatter(v: &Vector3<Avx512>, to: impl Fn(usize) -> *mut [f64; 3]) {
+        // SAFETY: as above.
+        unsafe {
+            let half = |x: Avx512| Avx2(_mm512_castpd512_pd256(x.0));
+            Avx2::scatter(&Vector3::new(half(v.x), half(v.y), half(v.z)), &to);
+            let half = |x: Avx512| Avx2(_mm512_extractf64x4_pd::<1>(x.0));
+            Avx2::scatter(&Vector3::new(half(v.x), half(v.y), half(v.z)), |k| to(k + 4));
+        }
+    }
+
+    #[inline(always)]
+    fn bits(mask: __mmask8) -> u32 {
+        mask.into()
+    }
+
+    #[inline(always)]
+    fn first(self, bits: u32) -> Avx512 {
+        // SAFETY: a unit is only chosen where the processor has it.
+        unsafe { Avx512(_mm512_maskz_compress_pd(bits as __mmask8, self.0)) }
+    }
+}
+
+/// Two halves side by side.
+///
+/// # Safety
+/// The processor has AVX-512.
+#[inline(always)]
+unsafe fn joined(a: &Vector3<Avx2>, b: &Vector3<Avx2>) -> Vector3<Avx512> {
+    // SAFETY: as the caller promises.
+    let join =
+        |a: Avx2, b: Avx2| unsafe { Avx512(_mm512_insertf64x4::<1>(_mm512_castpd256_pd512(a.0), b.0)) };
+    Vector3::new(join(a.x, b.x), join(a.y, b.y), join(a.z, b.z))
 }
 
 impl Avx512 {
