@@ -78,28 +78,58 @@ impl<L: Unit> Chunk<L> {
     /// first one that was not looked at. `radius` is that of all particles where they are alike.
     #[inline(always)]
     pub fn take(&mut self, p: &Particles<'_>, list: &List, from: usize, radius: Option<f64>) -> usize {
-        let (mut k, end) = (from, list.pairs.len());
-        // SAFETY: all indices are those of particles, and there is room for what is found in a group.
-        unsafe {
-            while k + L::WIDTH <= end && self.n + L::WIDTH <= CHUNK {
-                self.sift::<L>(p, list, k, radius);
-                k += L::WIDTH;
-            }
-            while k + L::WIDTH > end && k < end && self.n < CHUNK {
-                self.sift::<f64>(p, list, k, radius);
-                k += 1;
-            }
-        }
+        let k = match radius {
+            Some(r) => self.find(
+                p,
+                list,
+                from,
+                #[inline(always)]
+                |_| r,
+            ),
+            // SAFETY: all indices are those of particles.
+            None => self.find(
+                p,
+                list,
+                from,
+                #[inline(always)]
+                |k| unsafe { *p.radius.get_unchecked(k) },
+            ),
+        };
         self.locate(list);
         k
     }
 
-    /// Note which of a few neighbours touch.
+    #[inline(always)]
+    fn find(&mut self, p: &Particles<'_>, list: &List, from: usize, radius: impl Fn(usize) -> f64) -> usize {
+        let (mut k, end, mut n) = (from, list.pairs.len(), self.n);
+        // SAFETY: all indices are those of particles, and there is room for what is found in a group.
+        unsafe {
+            while k + L::WIDTH <= end && n + L::WIDTH <= CHUNK {
+                n += self.sift::<L>(p.x.as_ptr(), list, k, n, &radius);
+                k += L::WIDTH;
+            }
+            while k + L::WIDTH > end && k < end && n < CHUNK {
+                n += self.sift::<f64>(p.x.as_ptr(), list, k, n, &radius);
+                k += 1;
+            }
+        }
+        self.n = n;
+        k
+    }
+
+    /// Put those of a few neighbours that touch into the chunk, from place `n` on; the answer is how many they are.
     ///
     /// # Safety
     /// The list holds as many neighbours from `k` on as `G` is wide, and the chunk has room for them.
     #[inline(always)]
-    unsafe fn sift<G: Unit>(&mut self, p: &Particles<'_>, list: &List, k: usize, radius: Option<f64>) {
+    unsafe fn sift<G: Unit>(
+        &mut self,
+        x: *const [f64; 3],
+        list: &List,
+        k: usize,
+        n: usize,
+        radius: impl Fn(usize) -> f64,
+    ) -> usize {
         // SAFETY: as the caller promises; every index is that of a particle.
         unsafe {
             let pairs = list.pairs.as_ptr().add(k);
@@ -107,25 +137,19 @@ impl<L: Unit> Chunk<L> {
             let j = |k: usize| (*pairs.add(k))[1] as usize;
             let delta = G::differences(
                 #[inline(always)]
-                |k| p.x.as_ptr().add(i(k)),
+                |k| x.add(i(k)),
                 #[inline(always)]
-                |k| p.x.as_ptr().add(j(k)),
+                |k| x.add(j(k)),
             );
-            let reach = match radius {
-                Some(r) => G::splat(r + r),
-                None => {
-                    let of = |k: usize| *p.radius.get_unchecked(k);
-                    G::from_fn(|k| of(i(k))) + G::from_fn(|k| of(j(k)))
-                }
-            };
+            let reach = G::from_fn(|k| radius(i(k))) + G::from_fn(|k| radius(j(k)));
             let near = G::bits((reach * reach).gt(dot(&delta, &delta)));
             let number = G::from_fn(|lane| f64::from_bits((k + lane) as u64));
-            G::load(pairs.cast()).first(near).store(self.pairs.as_mut_ptr().add(self.n).cast());
-            number.first(near).store(self.number.as_mut_ptr().add(self.n).cast());
+            G::load(pairs.cast()).first(near).store(self.pairs.as_mut_ptr().add(n).cast());
+            number.first(near).store(self.number.as_mut_ptr().add(n).cast());
             for (c, d) in delta.iter().enumerate() {
-                d.first(near).store(self.delta[c].as_mut_ptr().add(self.n));
+                d.first(near).store(self.delta[c].as_mut_ptr().add(n));
             }
-            self.n += near.count_ones() as usize;
+            near.count_ones() as usize
         }
     }
 

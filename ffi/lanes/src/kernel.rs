@@ -60,12 +60,15 @@ impl<W: LaneLaw, L: Unit> Prepared<W, L> {
     #[inline(always)]
     fn touch_block(&self, f: &W::FitOf<L>, at: &At<'_>, b: &mut Block<L>, call: &Call, first: bool) -> Mark {
         let Block { surface, stage } = b;
-        if first {
-            *stage = Stage::default();
-        }
-        stage.mark = Mark::Leave;
         let mut h = self.history(at);
-        W::touch_lanes::<L>(f, call, surface, &mut h, stage);
+        if first {
+            let mut new = Stage::default();
+            W::touch_lanes::<L>(f, call, surface, &mut h, &mut new);
+            *stage = new;
+        } else {
+            stage.mark = Mark::Leave;
+            W::touch_lanes::<L>(f, call, surface, &mut h, stage);
+        }
         self.keep(at, h.as_ref());
         stage.mark
     }
