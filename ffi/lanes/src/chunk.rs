@@ -45,6 +45,9 @@ pub(crate) struct Chunk<L> {
 }
 
 impl<L: Unit> Chunk<L> {
+    /// Whether the vectors between particles are kept from the search; one lane works them out again sooner.
+    const KEEPS_DELTA: bool = L::WIDTH > 1;
+
     pub fn new(row: usize) -> Chunk<L> {
         let block = Block { surface: Surface::default(), stage: Stage::default() };
         Chunk {
@@ -144,10 +147,11 @@ impl<L: Unit> Chunk<L> {
             let reach = G::from_fn(|k| radius(i(k))) + G::from_fn(|k| radius(j(k)));
             let near = G::bits((reach * reach).gt(dot(&delta, &delta)));
             let number = G::from_fn(|lane| f64::from_bits((k + lane) as u64));
-            G::load(pairs.cast()).first(near).store(self.pairs.as_mut_ptr().add(n).cast());
             number.first(near).store(self.number.as_mut_ptr().add(n).cast());
-            for (c, d) in delta.iter().enumerate() {
-                d.first(near).store(self.delta[c].as_mut_ptr().add(n));
+            if Self::KEEPS_DELTA {
+                for (c, d) in delta.iter().enumerate() {
+                    d.first(near).store(self.delta[c].as_mut_ptr().add(n));
+                }
             }
             near.count_ones() as usize
         }
@@ -157,9 +161,13 @@ impl<L: Unit> Chunk<L> {
     #[inline(always)]
     fn locate(&mut self, list: &List) {
         for k in 0..self.n {
-            self.slot[k] = self.number[k] as u32;
-            // SAFETY: the pair is that of this neighbour.
-            (self.history[k], self.flags[k]) = unsafe { list.places(self.pairs[k][0], self.slot[k]) };
+            let slot = self.number[k] as u32;
+            self.slot[k] = slot;
+            // SAFETY: the neighbour is one of the list's.
+            unsafe {
+                self.pairs[k] = *list.pairs.get_unchecked(slot as usize);
+                (self.history[k], self.flags[k]) = list.places(self.pairs[k][0], slot);
+            }
             if !self.nowhere.is_empty() {
                 prefetch(self.history[k]);
             }
@@ -187,9 +195,18 @@ impl<L: Unit> Chunk<L> {
             let (i, j) = (|k: usize| pairs[k][0] as usize, |k: usize| pairs[k][1] as usize);
             // SAFETY: indices of particles, see [`Chunk`].
             unsafe {
-                let of = |c: usize| L::load(self.delta[c].as_ptr().add(b * L::WIDTH));
-                let delta = Vector3::new(of(0), of(1), of(2));
-                let (v, w) = (p.v.as_ptr(), p.omega.as_ptr());
+                let (x, v, w) = (p.x.as_ptr(), p.v.as_ptr(), p.omega.as_ptr());
+                let delta = if Self::KEEPS_DELTA {
+                    let of = |c: usize| L::load(self.delta[c].as_ptr().add(b * L::WIDTH));
+                    Vector3::new(of(0), of(1), of(2))
+                } else {
+                    L::differences(
+                        #[inline(always)]
+                        |k| x.add(i(k)),
+                        #[inline(always)]
+                        |k| x.add(j(k)),
+                    )
+                };
                 let v = L::differences(
                     #[inline(always)]
                     |k| v.add(i(k)),
