@@ -7,6 +7,7 @@ use granlaw::chain::Marks;
 use granlaw::lane::dot;
 use granlaw::law::{Stage, Surface};
 use nalgebra::Vector3;
+use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 /// Contacts in a chunk at most; whole blocks of any width.
@@ -270,7 +271,7 @@ impl<L: Unit> Chunk<L> {
     /// Add forces and torques in the order of the contacts. Particles from `forced` on belong to other ranks and get none.
     #[inline(always)]
     pub fn hand_out(&self, p: &mut Particles<'_>, forced: usize) {
-        // SAFETY: indices of particles, see [`Chunk`]; none is its own neighbour.
+        // SAFETY: indices of particles, see [`Chunk`]; none is its own neighbour; rows are read as far as there are lanes.
         unsafe {
             let (f, torque) = (p.f.as_mut_ptr(), p.torque.as_mut_ptr());
             let mut i = self.pairs[0][0] as usize;
@@ -284,12 +285,13 @@ impl<L: Unit> Chunk<L> {
                         i = next;
                         (fi, torque_i) = (*f.add(i), *torque.add(i));
                     }
-                    add(&mut fi, force[k]);
-                    add(&mut torque_i, on_i[k]);
+                    let force = force.get_unchecked(k).assume_init();
+                    add(&mut fi, force);
+                    add(&mut torque_i, on_i.get_unchecked(k).assume_init());
                     if j < forced {
                         // Zero less the force, as a contact alone has it: the sign of a zero may differ.
-                        add(&mut *f.add(j), force[k].map(|f| 0.0 - f));
-                        add(&mut *torque.add(j), on_j[k]);
+                        add(&mut *f.add(j), force.map(|f| 0.0 - f));
+                        add(&mut *torque.add(j), on_j.get_unchecked(k).assume_init());
                     }
                 }
             }
@@ -311,17 +313,17 @@ impl<L: Unit> Chunk<L> {
     }
 }
 
-/// A vector per lane.
+/// A vector per lane; what lies beyond the last lane is not set.
 #[inline(always)]
-fn rows<L: Unit>(v: &Vector3<L>) -> [[f64; 3]; 8] {
-    let mut rows = [[0.0; 3]; 8];
+fn rows<L: Unit>(v: &Vector3<L>) -> [MaybeUninit<[f64; 3]>; 8] {
+    let mut rows = [MaybeUninit::uninit(); 8];
     let first = rows.as_mut_ptr();
     // SAFETY: no unit is wider than the array.
     unsafe {
         L::scatter(
             v,
             #[inline(always)]
-            |k| first.add(k),
+            |k| first.add(k).cast(),
         );
     }
     rows
