@@ -73,6 +73,10 @@ impl<W: LaneLaw, L: Unit> Prepared<W, L> {
         stage.mark
     }
 
+    #[allow(
+        clippy::needless_range_loop,
+        reason = "adaptors of iterators are not inlined into code for a vector unit"
+    )]
     #[inline(always)]
     fn history(&self, at: &At<'_>) -> W::HistoryOf<L> {
         let mut columns = [L::splat(0.0); MOST_SLOTS];
@@ -97,6 +101,10 @@ impl<W: LaneLaw, L: Unit> Prepared<W, L> {
         h
     }
 
+    #[allow(
+        clippy::needless_range_loop,
+        reason = "adaptors of iterators are not inlined into code for a vector unit"
+    )]
     #[inline(always)]
     fn keep(&self, at: &At<'_>, columns: &[L]) {
         let place = |k: usize, c: usize| at.history[k].wrapping_add(self.at + c);

@@ -115,8 +115,9 @@ fn a_contact_that_is_not_finite_is_named() {
 
 #[test]
 fn arrays_that_do_not_fit_together_are_refused() {
-    let spoil: [(&str, Change); 3] = [
+    let spoil: [(&str, Change); 4] = [
         ("neighbour list names a particle", |s| s.neighbours[2] = s.x.len() as i32),
+        ("or twice", |s| s.twice()),
         ("atom type", |s| s.kind[1] = 3),
         ("no room", |s| s.row = 2),
     ];

@@ -105,6 +105,11 @@ impl Scene {
         }
     }
 
+    /// The second row of neighbours becomes another one of the first particle.
+    pub fn twice(&mut self) {
+        self.ilist[1] = self.ilist[0];
+    }
+
     /// LIGGGHTS's view of it.
     pub fn arrays(&mut self, rebuilt: bool) -> Arrays {
         self.first = vec![std::ptr::null(); N];
