@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 /// restitution may come out above 1.005: the least of the maps is 0.14, of `hooke/hysteresis` over its adhesion.
 pub const SAFE: f64 = 0.13;
 
-/// The same for two bonded bodies, of the fastest mode of their bond.
+/// The same for bonds, by their fastest mode, unless they neither take damage nor are damped. The least of the maps is 0.098,
+/// of twist in some thousand steps, and it was seen to fall to 0.076 in ten times as many.
 pub const SAFE_BOND: f64 = 0.06;
 
 /// A degree of freedom as a linear oscillator.

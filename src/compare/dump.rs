@@ -129,6 +129,18 @@ impl Lines {
         (about_one && !self.bytes.is_empty()).then(|| self.text().split_whitespace().collect())
     }
 
+    /// What was read of a frame, if it is whole.
+    fn frame(&self, particles: HashMap<i64, Vec<f64>>, step: i64) -> Result<Frame, CompareError> {
+        if particles.len() as u64 != self.atoms {
+            return Err(self.halved(particles.len()));
+        }
+        Ok(Frame { step, columns: self.columns.clone(), particles, file: self.file.clone() })
+    }
+
+    fn halved(&self, n: usize) -> CompareError {
+        self.damaged(format!("a frame has {n} of its {} particles", self.atoms))
+    }
+
     /// The present lines of both differ; where?
     fn difference(&self, got: &Lines) -> Difference {
         let whole = |l: &Lines| String::from_utf8_lossy(&l.bytes).trim_end().to_string();
@@ -171,11 +183,23 @@ impl Frame {
     /// # Errors
     /// If it cannot be read, is not a dump, or ends in the middle of a frame.
     pub fn last(path: &Path) -> Result<Frame, CompareError> {
+        let mut last = Frame::default();
+        Frame::each(path, |frame| last = frame)?;
+        Ok(last)
+    }
+
+    /// Every frame of a dump, in turn; there is at least one.
+    ///
+    /// # Errors
+    /// As [`Frame::last`], of any frame.
+    pub fn each(path: &Path, mut one: impl FnMut(Frame)) -> Result<(), CompareError> {
         let mut lines = Lines::open(path)?;
-        let mut frame = Frame { file: lines.file.clone(), ..Frame::default() };
+        let mut particles = HashMap::new();
+        // A heading ends a frame; by then it has been read over the step of the frame before.
+        let mut last = 0;
         while lines.next()? {
-            if lines.text() == FIRST {
-                frame.particles.clear();
+            if lines.text() == FIRST && lines.line > 1 {
+                one(lines.frame(std::mem::take(&mut particles), last)?);
             } else if let Some(values) = lines.particle() {
                 let values = values.iter().map(|v| lines.number(v)).collect::<Result<Vec<f64>, _>>()?;
                 let at = lines.columns.iter().position(|c| c == "id").filter(|k| *k < values.len());
@@ -183,15 +207,15 @@ impl Frame {
                     let (n, c) = (values.len(), lines.columns.join(" "));
                     return Err(lines.damaged(format!("{n} values for the columns {c}, which need an id")));
                 };
-                frame.particles.insert(values[at] as i64, values);
+                particles.insert(values[at] as i64, values);
             }
+            last = lines.step;
         }
-        if frame.particles.len() as u64 != lines.atoms || !lines.heading.starts_with(ATOMS) {
-            let (n, atoms) = (frame.particles.len(), lines.atoms);
-            return Err(lines.damaged(format!("the last frame has {n} of its {atoms} particles")));
+        if !lines.heading.starts_with(ATOMS) {
+            return Err(lines.halved(particles.len()));
         }
-        (frame.step, frame.columns) = (lines.step, lines.columns);
-        Ok(frame)
+        one(lines.frame(particles, last)?);
+        Ok(())
     }
 
     /// A column of a particle.

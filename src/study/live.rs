@@ -1,6 +1,7 @@
 //! Many contacts at once in LIGGGHTS itself: one run, one time step, one pair of spheres per phase of first touch.
 use super::matter::{Matter, Names};
 use super::shot::{Outcome, Shot};
+use super::tied::{ahead, every};
 use crate::compare::{CompareError, Frame};
 use crate::deck::{Deck, DeckError};
 use crate::law::Body;
@@ -90,15 +91,14 @@ impl Bench {
         before: &[f64],
     ) -> Result<Vec<Outcome>, LiveError> {
         let shot = &shots.iter().copied().max_by(|a, b| a.speed.total_cmp(&b.speed)).expect("a shot");
-        let begun = |s: &Shot| before.iter().map(|b| s.start(dt, *b, 0).bodies).collect::<Vec<_>>();
-        let starts: Vec<[Body; 2]> = shots.iter().flat_map(begun).collect();
+        let begun = |s: &Shot| before.iter().map(|b| bodies(s, dt, *b)).collect::<Vec<_>>();
+        let starts: Vec<Vec<Body>> = shots.iter().flat_map(begun).collect();
         let text = deck(matter, shot, who.names(), (dt, steps), &starts);
-        let frame = self.run(&text, who)?;
-        let read = |(k, start): (usize, &[Body; 2])| -> Result<Outcome, CompareError> {
-            let n = if shot.wall { 1 } else { 2 };
-            let mut bodies = *start;
-            for (c, body) in bodies.iter_mut().take(n).enumerate() {
-                let id = (k * n + c + 1) as i64;
+        let frames = self.frames(&text, who)?;
+        let read = |frame: &Frame, k: usize, start: &[Body]| -> Result<Outcome, CompareError> {
+            let mut bodies = start.to_vec();
+            for (c, body) in bodies.iter_mut().enumerate() {
+                let id = (k * start.len() + c + 1) as i64;
                 let three = |names: [&str; 3]| -> Result<Vector3<f64>, CompareError> {
                     let [x, y, z] = names.map(|name| frame.value(id, name));
                     Ok(Vector3::new(x?, y?, z?))
@@ -111,21 +111,31 @@ impl Bench {
         };
         // A particle that left the box was shot out of it.
         let gone = || Outcome { energy: f64::INFINITY, apart: true, ..Outcome::default() };
-        let all = starts.iter().enumerate().map(|shot| match read(shot) {
-            Err(CompareError::NoParticle { .. }) => Ok(gone()),
-            other => other,
+        let all = starts.iter().enumerate().map(|(k, start)| {
+            let mut last = Outcome::default();
+            for (at, frame) in frames.iter().enumerate() {
+                let most = if at == 0 { 0.0 } else { last.energy };
+                last = match read(frame, k, start) {
+                    Err(CompareError::NoParticle { .. }) => return Ok(gone()),
+                    other => other?,
+                };
+                last.energy = last.energy.max(most);
+            }
+            Ok(last)
         });
-        Ok(all.collect::<Result<_, _>>()?)
+        Ok(all.collect::<Result<_, CompareError>>()?)
     }
 
-    /// Run a deck and read the last frame of its dump.
+    /// Run a deck and read its dump.
     ///
     /// # Errors
     /// If LIGGGHTS fails or dumps nothing.
-    pub fn run(&self, text: &str, who: Who) -> Result<Frame, LiveError> {
+    fn frames(&self, text: &str, who: Who) -> Result<Vec<Frame>, LiveError> {
         let (folder, ran) = self.start(text, who)?;
         let dump = ran.dumps.first().ok_or(LiveError::NoDump)?;
-        Ok(Frame::last(&folder.path().join(dump))?)
+        let mut all = Vec::new();
+        Frame::each(&folder.path().join(dump), |frame| all.push(frame))?;
+        Ok(all)
     }
 
     /// Run a deck; what it wrote is in the folder.
@@ -144,6 +154,14 @@ impl Bench {
         let preload = (who != Who::Stock).then_some(&preload);
         let ran = folder.run(&self.host, &deck, preload, self.limit)?;
         Ok((folder, ran))
+    }
+}
+
+/// What moves of a shot that begins `before` steps ahead.
+fn bodies(shot: &Shot, dt: f64, before: f64) -> Vec<Body> {
+    match shot.row() {
+        Some(tied) => ahead(shot, &tied, dt),
+        None => shot.start(dt, before, 0).bodies[..if shot.wall { 1 } else { 2 }].to_vec(),
     }
 }
 
@@ -170,19 +188,22 @@ fn place(shot: &Shot, count: usize, run: (f64, u64), k: usize) -> [f64; 3] {
 }
 
 /// A deck with all shots beside each other, far enough apart.
-fn deck(matter: &Matter, shot: &Shot, names: Names, (dt, steps): (f64, u64), starts: &[[Body; 2]]) -> String {
+fn deck(matter: &Matter, shot: &Shot, names: Names, (dt, steps): (f64, u64), starts: &[Vec<Body>]) -> String {
     let (apart, side) = grid(shot, starts.len(), (dt, steps));
     // Who leaves the box has a hundred times the energy, or nearly.
-    let (edge, high) = (side as f64 * apart, 0.5 * apart + 10.0 * travel(shot, (dt, steps)));
+    let long = shot.row().map_or(0.0, |t| 2.5 * shot.radius * shot.ratio.max(1.0) * t.beads as f64);
+    let (edge, high) = (side as f64 * apart, 0.5 * apart + 10.0 * travel(shot, (dt, steps)) + long);
     let region = match shot.wall {
         true => format!("0 {edge:?} 0 {edge:?} {:?} {high:?}", -0.1 * apart),
         false => format!("{:?} {high:?} 0 {edge:?} 0 {edge:?}", -high),
     };
+    // What comes loose may fly far, and bins are made for all of the box.
+    let search = if shot.row().is_some() { "nsq" } else { "bin" };
     let (models, switches) = (matter.models(names), matter.switches(names));
     let mut out = format!(
         "units si\natom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n\
          communicate single vel yes\nregion box block {region} units box\ncreate_box 1 box\n\
-         neighbor {:?} bin\nneigh_modify delay 0\n{}pair_style gran {models}{switches}\npair_coeff * *\n",
+         neighbor {:?} {search}\nneigh_modify delay 0\n{}pair_style gran {models}{switches}\npair_coeff * *\n",
         0.2 * shot.radius,
         matter.properties(),
     );
@@ -190,16 +211,13 @@ fn deck(matter: &Matter, shot: &Shot, names: Names, (dt, steps): (f64, u64), sta
         out += &format!("fix floor all wall/gran {models} primitive type 1 zplane 0.0{switches}\n");
     }
     if let Some(rest) = shot.rest {
-        out += &format!("fix weight all gravity {:?} vector 0 0 -1\n", rest.gravity);
+        let down = -rest.gravity.signum();
+        out += &format!("fix weight all gravity {:?} vector 0 0 {down}\n", rest.gravity.abs());
     }
-    let n = if shot.wall { 1 } else { 2 };
     let moved =
         |k: usize, b: &Body| Body { x: b.x + Vector3::from(place(shot, starts.len(), (dt, steps), k)), ..*b };
-    let bodies: Vec<Body> = starts
-        .iter()
-        .enumerate()
-        .flat_map(|(k, pair)| pair.iter().take(n).map(move |b| moved(k, b)))
-        .collect();
+    let bodies: Vec<Body> =
+        starts.iter().enumerate().flat_map(|(k, all)| all.iter().map(move |b| moved(k, b))).collect();
     for b in &bodies {
         out += &format!("create_atoms 1 single {:?} {:?} {:?}\n", b.x.x, b.x.y, b.x.z);
     }
@@ -210,9 +228,14 @@ fn deck(matter: &Matter, shot: &Shot, names: Names, (dt, steps): (f64, u64), sta
         out += &format!("set atom {id} omegax {:?} omegay {:?} omegaz {:?}\n", w.x, w.y, w.z);
     }
     let format = format!("%d{}", " %.17g".repeat(9));
+    // Of rows, the energy on the way is asked for too.
+    let every = if shot.row().is_some() { every(steps) } else { 1 };
+    let dump = format!(
+        "dump all all custom {every} dump.txt id x y z vx vy vz omegax omegay omegaz\ndump_modify all format \"{format}\" sort id\n"
+    );
+    let [before, after] =
+        if shot.row().is_some() { [dump, String::new()] } else { [String::new(), dump + "run 0\n"] };
     out + &format!(
-        "timestep {dt:?}\nfix move all nve/sphere\nthermo {steps}\nthermo_modify lost ignore norm no\nrun {steps}\n\
-         dump last all custom 1 dump.txt id x y z vx vy vz omegax omegay omegaz\n\
-         dump_modify last format \"{format}\" sort id\nrun 0\n"
+        "{before}timestep {dt:?}\nfix move all nve/sphere\nthermo {steps}\nthermo_modify lost ignore norm no\nrun {steps}\n{after}"
     )
 }

@@ -10,6 +10,7 @@ pub mod shot;
 pub mod single;
 pub mod speed;
 pub mod stability;
+pub mod tied;
 pub mod timestep;
 
 use crate::liggghts::RunError;

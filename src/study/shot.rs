@@ -1,4 +1,5 @@
 //! One contact from first touch to last: two spheres, or a sphere and a wall, shot at each other.
+use super::tied::{beads, Tied};
 use crate::law::Body;
 use crate::pair::{Opened, Partner, Start, State};
 use nalgebra::Vector3;
@@ -25,6 +26,8 @@ pub struct Shot {
     pub slide: f64,
     /// Instead of all that, a sphere that rests on the wall and gets `speed` and `slide`.
     pub rest: Option<Rest>,
+    /// Instead, bonded spheres in a row along x; with `rest`, one that hangs on the wall by a bond.
+    pub tied: Option<Tied>,
 }
 
 /// A sphere that rests on the wall by its weight.
@@ -32,7 +35,7 @@ pub struct Shot {
 pub struct Rest {
     /// Acceleration of gravity \[m/s²\].
     pub gravity: f64,
-    /// Overlap at rest \[m\].
+    /// Overlap at rest \[m\]; of one that hangs, how far its bond is stretched.
     pub sunk: f64,
     /// How long it is followed \[s\].
     pub time: f64,
@@ -55,7 +58,7 @@ pub struct Outcome {
     pub energy: f64,
     /// How far i has come along x \[m\].
     pub distance: f64,
-    /// What is left of the tangential speed.
+    /// What is left of the tangential speed; of a sphere that hangs, of the speed at which it swung through its place at first.
     pub left: f64,
     /// Whether the surfaces are apart at the end.
     pub apart: bool,
@@ -71,7 +74,18 @@ impl Shot {
     /// Two equal spheres that meet head-on.
     pub const fn head_on(radius: f64, density: f64, speed: f64) -> Shot {
         let (ratio, heavier, types) = (1.0, 1.0, (0, 0));
-        Shot { radius, ratio, density, heavier, types, wall: false, speed, slide: 0.0, rest: None }
+        Shot {
+            radius,
+            ratio,
+            density,
+            heavier,
+            types,
+            wall: false,
+            speed,
+            slide: 0.0,
+            rest: None,
+            tied: None,
+        }
     }
 
     /// The bodies, just touching.
@@ -84,6 +98,10 @@ impl Shot {
         };
         let (mut i, mut j) = (sphere(1, self.radius), sphere(2, self.radius * self.ratio));
         j.mass *= self.heavier;
+        if let (Some(tied), true) = (self.tied, self.wall) {
+            i.x = Vector3::z() * (i.radius + tied.gap);
+            return [i, Body::default()];
+        }
         if let Some(rest) = self.rest {
             (i.x, i.v) = (Vector3::z() * (i.radius - rest.sunk), Vector3::new(self.slide, 0.0, -self.speed));
             if rest.rolls {
@@ -122,7 +140,8 @@ impl Shot {
             false => Partner::Free,
         };
         let gravity = Vector3::z() * self.rest.map_or(0.0, |r| -r.gravity);
-        let (types, opened) = (self.types, Opened::Keeps);
+        let opened = if self.tied.is_some() { Opened::Closes } else { Opened::Keeps };
+        let types = self.types;
         Start { bodies, types, partner, dt, steps, first: 0, gravity, opened }
     }
 
@@ -134,31 +153,33 @@ impl Shot {
         }
     }
 
-    /// What the motion of the bodies says; forces and times are left to the caller.
-    pub fn judge(&self, bodies: &[Body; 2]) -> Outcome {
-        let [i, j] = bodies;
-        let energy = |b: &[Body; 2]| -> f64 {
-            let one = |b: &Body| {
-                0.5 * b.mass * (b.v.norm_squared() + 0.4 * b.radius * b.radius * b.omega.norm_squared())
-            };
-            // The spring of a sphere at rest, about its place.
-            let spring = self.rest.map_or(0.0, |r| {
-                let off = b[0].x.z - (b[0].radius - r.sunk);
-                0.5 * b[0].mass * r.gravity / r.sunk * off * off
-            });
-            if self.wall {
-                one(&b[0]) + spring
-            } else {
-                b.iter().map(one).sum()
-            }
-        };
+    /// How spheres are bonded in a row, if they are.
+    pub fn row(&self) -> Option<Tied> {
+        self.tied.filter(|_| !self.wall)
+    }
+
+    /// All bodies that move, where it begins.
+    fn begun(&self) -> Vec<Body> {
+        match self.row() {
+            Some(tied) => beads(self, &tied),
+            _ => self.bodies()[..if self.wall { 1 } else { 2 }].to_vec(),
+        }
+    }
+
+    /// What the motion of the bodies says, of a row from its first to its last; forces and times are left to the caller.
+    pub fn judge(&self, bodies: &[Body]) -> Outcome {
+        let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
         let apart = if self.wall { i.v } else { i.v - j.v }.dot(&self.normal());
+        let left = match (self.rest, self.tied) {
+            (Some(r), Some(_)) => i.v.z / (r.gravity * r.sunk).abs().sqrt(),
+            _ => i.v.x / self.slide,
+        };
         let outcome = Outcome {
             restitution: apart / self.speed,
             spin: if self.wall { i.omega.y } else { i.omega.z },
-            energy: energy(bodies) / energy(&self.bodies()),
+            energy: self.energy(if self.wall { &bodies[..1] } else { bodies }),
             distance: i.x.x,
-            left: i.v.x / self.slide,
+            left,
             apart: self.overlap(bodies) < 0.0,
             ..Outcome::default()
         };
@@ -166,14 +187,38 @@ impl Shot {
         Outcome { finite, ..outcome }
     }
 
-    /// How deep the surfaces overlap \[m\]; negative when apart.
-    pub fn overlap(&self, bodies: &[Body; 2]) -> f64 {
-        let [i, j] = bodies;
-        if self.wall {
-            i.radius - i.x.z
-        } else {
-            i.radius + j.radius - (i.x - j.x).norm()
+    /// Kinetic energy over that before; of a sphere that rests, with that of its spring; of one that hangs, over what it won by
+    /// falling to its place.
+    fn energy(&self, bodies: &[Body]) -> f64 {
+        let one = |b: &Body| {
+            0.5 * b.mass * (b.v.norm_squared() + 0.4 * b.radius * b.radius * b.omega.norm_squared())
+        };
+        let kinetic = |all: &[Body]| all.iter().map(one).sum::<f64>();
+        let Some(r) = self.rest else { return kinetic(bodies) / kinetic(&self.begun()) };
+        if self.tied.is_some() {
+            return kinetic(bodies) / (0.5 * bodies[0].mass * (r.gravity * r.sunk).abs());
         }
+        let all = |b: &[Body]| {
+            // The spring of a sphere at rest, about its place.
+            let off = b[0].x.z - (b[0].radius - r.sunk);
+            kinetic(b) + 0.5 * b[0].mass * r.gravity / r.sunk * off * off
+        };
+        all(bodies) / all(&self.begun())
+    }
+
+    /// How deep the surfaces overlap \[m\]; negative when apart. Of a row, how far it is from its length, towards where it is
+    /// set going.
+    pub fn overlap(&self, bodies: &[Body]) -> f64 {
+        let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
+        if self.wall {
+            return i.radius - i.x.z;
+        }
+        let length = (i.x - j.x).norm();
+        if self.row().is_some() {
+            let begun = self.begun();
+            return self.speed.signum() * ((begun[0].x - begun[begun.len() - 1].x).norm() - length);
+        }
+        i.radius + j.radius - length
     }
 }
 
@@ -217,7 +262,7 @@ impl<'a> Follow<'a> {
     }
 
     /// What came of it.
-    pub fn end(self, bodies: &[Body; 2]) -> Outcome {
+    pub fn end(self, bodies: &[Body]) -> Outcome {
         let Outcome { peak, duration, parted, force, .. } = self.seen;
         Outcome { peak, duration, parted, force, ..self.shot.judge(bodies) }
     }

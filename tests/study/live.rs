@@ -61,7 +61,7 @@ fn the_settings_raise_the_order_of_liggghts_for_pairs_and_walls() {
 fn liggghts_does_what_the_maps_say() {
     let Some(bench) = bench("liggghts_does_what_the_maps_say") else { return };
     let (phases, mut creates, mut calm) = (16, 0, 0);
-    for name in ["k2max", "rest-tangential", "cdt-jkr-limit"] {
+    for name in ["k2max", "rest-tangential", "cdt-jkr-limit", "bond-ku", "bond-chain", "bond-rest"] {
         let field = &field(name).expect("a field");
         let row = field.rows.len() / 2;
         let mut borders = vec![None; field.rows.len()];
@@ -73,7 +73,7 @@ fn liggghts_does_what_the_maps_say() {
             calm += usize::from(asked.theirs < Class::Creates);
         }
     }
-    assert!(creates >= 2 && calm >= 2, "both sides of a border: {creates} {calm}");
+    assert!(creates >= 6 && calm >= 6, "both sides of a border: {creates} {calm}");
 }
 
 /// Planted: LIGGGHTS asked about another stiffness than the map's does not agree.

@@ -1,4 +1,5 @@
 //! The fields: for each law, a parameter over which its stability changes.
+use super::bonds;
 use super::row::{Row, Scene};
 use crate::law::Kind;
 use crate::study::matter::Matter;
@@ -51,7 +52,7 @@ fn about(shot: Shot) -> Vec<Shot> {
 }
 
 /// Values from `low` to `high`, evenly spaced or in their logarithm.
-fn values(low: f64, high: f64, n: usize, log: bool) -> Vec<f64> {
+pub(super) fn values(low: f64, high: f64, n: usize, log: bool) -> Vec<f64> {
     let at = |t: f64| if log { low * (high / low).powf(t) } else { low + (high - low) * t };
     (0..n).map(|k| at(k as f64 / (n - 1) as f64)).collect()
 }
@@ -74,17 +75,18 @@ fn rolling(matter: &Matter, mu_r: f64) -> Shot {
     Shot { slide, rest: shot.rest.map(|r| Rest { time, rolls: true, ..r }), ..shot }
 }
 
-type Build = Box<dyn Fn(f64) -> Row + Sync>;
+pub(super) type Build = Box<dyn Fn(f64) -> Row + Sync>;
 
-struct Plan {
-    name: &'static str,
-    title: &'static str,
-    law: &'static str,
-    label: &'static str,
-    log: bool,
-    range: (f64, f64),
-    values: Vec<f64>,
-    build: Build,
+/// A field before it is built.
+pub(super) struct Plan {
+    pub name: &'static str,
+    pub title: &'static str,
+    pub law: &'static str,
+    pub label: &'static str,
+    pub log: bool,
+    pub range: (f64, f64),
+    pub values: Vec<f64>,
+    pub build: Build,
 }
 
 fn impact(param: f64, matter: Matter, shot: Shot) -> Row {
@@ -108,7 +110,12 @@ pub fn field(name: &str) -> Option<Field> {
 
 fn plans(full: bool) -> impl Iterator<Item = Plan> {
     let n = if full { 40 } else { 24 };
-    hysteresis(n).into_iter().chain(dashpots(n)).chain(friction(n)).chain(rolling_laws(n))
+    hysteresis(n)
+        .into_iter()
+        .chain(dashpots(n))
+        .chain(friction(n))
+        .chain(rolling_laws(n))
+        .chain(bonds::plans(n))
 }
 
 impl Plan {
@@ -252,6 +259,27 @@ fn friction(n: usize) -> Vec<Plan> {
                 let m = rough(v, 100.0);
                 let shot = at_rest(&m, 0.0, 1.0);
                 Row::new(v, m, vec![shot], Scene::RestTangential)
+            }),
+        },
+        Plan {
+            name: "kt",
+            title: "hertz + history: tangential stiffness; a sphere at rest on a wall, pushed along the wall, e = 0.9",
+            law: "history",
+            label: "kt/kn, by Poisson's ratio [1]",
+            log: false,
+            range: (0.05, 2.0),
+            values: values(0.68, 0.99, n / 2, false),
+            build: Box::new(move |v| {
+                let nu = 2.0 * (1.0 - v) / (2.0 - v);
+                let m = matter("hertz", Some("history"), 0.9).with("coefficientFriction", 100.0);
+                let m = m.with("poissonsRatio", nu);
+                let shot = at_rest(&m, 0.0, 1.0);
+                // F = 4/3 E* √R δ^1.5.
+                let press = 4.0 / 3.0 * 5e6 / (2.0 * (1.0 - nu * nu)) * shot.radius.sqrt();
+                let sunk = (shot.meff() * GRAVITY / press).powf(2.0 / 3.0);
+                let rest = shot.rest.map(|r| Rest { sunk, ..r });
+                let slide = 0.1 * (GRAVITY * sunk).sqrt();
+                Row::new(v, m, vec![Shot { rest, slide, ..shot }], Scene::RestTangential)
             }),
         },
     ]

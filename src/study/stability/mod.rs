@@ -1,5 +1,6 @@
 //! Stability: fields of outcomes over the step and one parameter of a law, the borders that theory draws, and LIGGGHTS
 //! itself asked on both sides of the borders that we find.
+mod bonds;
 mod cell;
 mod fields;
 mod live;

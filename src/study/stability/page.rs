@@ -52,7 +52,8 @@ impl Mapped {
 
     /// The smallest onset over the field, and the largest, in units of π/ω.
     fn onsets(&self) -> Option<(f64, f64)> {
-        let in_pi = self.onset.iter().flatten().map(|o| o * 2.0 / PI);
+        let rows = self.field.rows.iter().zip(&self.onset);
+        let in_pi = rows.filter_map(|(row, o)| Some((*o)? * in_pi(row)));
         in_pi.fold(None, |range, o| match range {
             None => Some((o, o)),
             Some((low, high)) => Some((f64::min(low, o), f64::max(high, o))),
@@ -62,8 +63,12 @@ impl Mapped {
     /// The shortest step of the map that doubles the energy somewhere, in units of π/ω.
     fn doubled(&self) -> Option<f64> {
         let n = self.steps.len();
-        let bad = |k: &usize| self.cells.iter().skip(*k).step_by(n).any(|f| f.energy > 2.0 || !f.finite);
-        (0..n).find(bad).map(|k| self.steps[k] * 2.0 / PI)
+        let first = |(k, row): (usize, &super::Row)| {
+            let bad = |f: &super::Found| f.energy > 2.0 || !f.finite;
+            let at = self.cells[k * n..(k + 1) * n].iter().position(bad)?;
+            Some(self.steps[at] * in_pi(row))
+        };
+        self.field.rows.iter().enumerate().filter_map(first).reduce(f64::min)
     }
 
     /// The longest step up to which all rows keep the error of the measured quantity below a limit, in units of π/ω.
@@ -92,10 +97,11 @@ fn limits(study: &Study) -> Section {
         let number = |x: Option<f64>| x.map_or("never".into(), Cell::Number);
         let onsets = m.onsets();
         // A sphere at rest has nothing to be measured but its energy.
-        let at_rest = matches!(m.field.rows[0].scene, Scene::RestNormal | Scene::RestTangential);
+        let at_rest =
+            matches!(m.field.rows[0].scene, Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_));
         let accurate = |limit| if at_rest { "–".into() } else { number(m.accurate(limit)) };
         let silent = m.classes().filter(|c| *c == Class::CreatesSilently).count();
-        let theory = m.field.rows.iter().map(theory).fold(f64::INFINITY, f64::min) * 2.0 / PI;
+        let theory = m.field.rows.iter().map(|r| theory(r) * in_pi(r)).fold(f64::INFINITY, f64::min);
         vec![
             m.field.title.into(),
             theory.into(),
@@ -117,11 +123,21 @@ fn limits(study: &Study) -> Section {
     let text = "A step of dt = c π/ω, with the largest simple bound c of the map, creates no energy anywhere on it. Linear theory is the \
                 smallest critical step on the map of a linear oscillator with the stiffest mode, normal or tangential, damping \
                 included; an impact takes few steps there, so it fails sooner and otherwise than an oscillator does. Where nothing \
-                takes energy out (e = 1), created means that the restitution comes out above 1.005.";
+                takes energy out (e = 1), created means that the restitution comes out above 1.005. ω is that of the stiffest normal mode; of bonds, of \
+                the fastest mode, compression taken at the speed of the blows, and of a chain all of it. Bonds that neither take damage (ku = k) \
+                nor are damped climb slowly at any step.";
     Section {
         title: "How long a step may be".into(),
         text: vec![text.into()],
         items: vec![Item::Table(table)],
+    }
+}
+
+/// The unit of a row over π/ω of its stiffest normal mode; of a row of bonds, of the fastest that it has.
+fn in_pi(row: &super::Row) -> f64 {
+    match row.scene {
+        Scene::Bonded(_) => row.unit() / row.tangential.step_centred() * 2.0 / PI,
+        _ => 2.0 / PI,
     }
 }
 
@@ -133,7 +149,7 @@ fn theory(row: &super::Row) -> f64 {
     let tangential = step(&row.tangential) / row.unit();
     match row.scene {
         Scene::Impact | Scene::RestNormal => normal,
-        Scene::RestTangential => tangential,
+        Scene::RestTangential | Scene::Bonded(_) => tangential,
         _ => normal.min(tangential),
     }
 }
@@ -171,7 +187,11 @@ fn field(m: &Mapped) -> Section {
         name: format!("stability-{}", f.name),
         caption: format!("What becomes of it ({})", f.name),
         x: Scale {
-            label: "time step over 2/ω of the stiffest normal mode [1]".into(),
+            label: match f.rows[0].scene {
+                Scene::Bonded(_) | Scene::Hang(_) => "time step over 2/ω of one bond alone [1]",
+                _ => "time step over 2/ω of the stiffest normal mode [1]",
+            }
+            .into(),
             values: m.steps.clone(),
             log: true,
         },
@@ -201,6 +221,8 @@ fn measured(scene: Scene) -> &'static str {
         Scene::Oblique => "Many phases of first touch at three speeds; the mean error of the final spin, and the largest kinetic energy afterwards.",
         Scene::RestNormal | Scene::RestTangential => "A push too weak to lift the sphere; its energy after 600 steps.",
         Scene::Roll => "A third longer than it should take to stop; the speed that is left, over that of the beginning.",
+        Scene::Bonded(_) => "A few thousand steps (a few hundred of straight bonds); the largest kinetic energy on the way, over that of the beginning. LIGGGHTS is Debian's, with the law in the plugin.",
+        Scene::Hang(_) => "200 half periods; the speed that is left, over that at which it falls through its place at first. LIGGGHTS is Debian's, with the law in the plugin.",
     }
 }
 
@@ -208,9 +230,10 @@ fn measured(scene: Scene) -> &'static str {
 fn word(class: Class, scene: Scene) -> &'static str {
     match (class, scene) {
         (Class::Fine, Scene::RestNormal | Scene::RestTangential) => "stays at rest",
-        (Class::Fine, Scene::Roll) => "less than 1e-4 of the speed left",
-        (Class::Rough, Scene::Roll) => "1e-4 to 1 % left",
-        (Class::Wrong, Scene::Roll) => "more left",
+        (Class::Fine, Scene::Bonded(_)) => "no energy created",
+        (Class::Fine, Scene::Roll | Scene::Hang(_)) => "less than 1e-4 of the speed left",
+        (Class::Rough, Scene::Roll | Scene::Hang(_)) => "1e-4 to 1 % left",
+        (Class::Wrong, Scene::Roll | Scene::Hang(_)) => "more left",
         (Class::Fine, _) => "error below 1 %",
         (Class::Rough, _) => "error 1 % to 10 %",
         (Class::Wrong, _) => "error above 10 %",

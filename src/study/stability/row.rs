@@ -6,6 +6,8 @@ use crate::study::adaptive::{impact, Aim};
 use crate::study::matter::Matter;
 use crate::study::modes::{reached, Modes};
 use crate::study::shot::{Outcome, Shot};
+use crate::study::tied;
+use std::f64::consts::PI;
 
 /// What happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +22,17 @@ pub enum Scene {
     RestTangential,
     /// A rolling sphere comes to rest; what is left of its speed is measured.
     Roll,
+    /// Bonded spheres swing for so many steps; their bonds may take energy, but never give it.
+    Bonded(u64),
+    /// A sphere hangs on a wall by a bond and comes to rest, in so many half periods; what is left of its speed is measured.
+    Hang(u64),
+}
+
+impl Scene {
+    /// Whether bodies meet and part again.
+    fn meets(self) -> bool {
+        matches!(self, Scene::Impact | Scene::Oblique)
+    }
 }
 
 /// A row.
@@ -35,7 +48,7 @@ pub struct Row {
     pub scene: Scene,
     /// The stiffest normal mode that the contact reaches.
     pub normal: Mode,
-    /// The stiffest tangential one; without stiffness if there is no shear.
+    /// The stiffest tangential one; without stiffness if there is no shear. Of bonds, the fastest of all that swings.
     pub tangential: Mode,
     /// The step beyond which `fix check/timestep/gran` with 0.2 and 0.2 warns \[s\].
     pub warns: f64,
@@ -66,6 +79,19 @@ impl Row {
         row
     }
 
+    /// A row of bonds. Steps are measured by `unit`; `fastest` is what theory has for the fastest mode.
+    pub fn bonded(
+        param: f64,
+        matter: Matter,
+        shots: Vec<Shot>,
+        scene: Scene,
+        [unit, fastest]: [Mode; 2],
+    ) -> Row {
+        let warns = warns(&matter, &shots[0]);
+        let (period, truth) = (PI / fastest.frequency(), vec![0.0; shots.len()]);
+        Row { param, matter, shots, scene, normal: unit, tangential: fastest, warns, period, truth }
+    }
+
     /// The unit of steps \[s\]: the critical step of the stiffest normal mode without damping, 2/ω.
     pub fn unit(&self) -> f64 {
         self.normal.step_centred()
@@ -76,13 +102,13 @@ impl Row {
         match self.scene {
             Scene::Impact => o.restitution,
             Scene::Oblique => o.spin,
-            Scene::Roll => o.left,
-            Scene::RestNormal | Scene::RestTangential => 0.0,
+            Scene::Roll | Scene::Hang(_) => o.left,
+            Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_) => 0.0,
         }
     }
 
     fn expected(&self, shot: &Shot) -> f64 {
-        if matches!(self.scene, Scene::Roll | Scene::RestNormal | Scene::RestTangential) {
+        if !self.scene.meets() {
             return 0.0;
         }
         let mut chain = self.matter.chain().expect("a sound row");
@@ -100,6 +126,8 @@ impl Row {
         match self.scene {
             Scene::RestNormal | Scene::RestTangential => WATCHED,
             Scene::Roll => self.shots[0].rest.map_or(0, |r| (r.time / dt) as u64),
+            Scene::Bonded(steps) => steps,
+            Scene::Hang(half) => (half as f64 * self.period / dt) as u64,
             // Long enough for the slowest contact, and for a few steps however long they are.
             Scene::Impact | Scene::Oblique => (4.0 * self.period / dt) as u64 + 12,
         }
@@ -119,6 +147,10 @@ impl Row {
         let mut chain = self.matter.chain().expect("a sound row");
         let (mut outcomes, mut missed) = (Vec::new(), 0);
         for shot in &self.shots {
+            if let Some(tied) = shot.row() {
+                outcomes.push(tied::run(&mut chain, shot, &tied, (dt, self.length(dt)), false));
+                continue;
+            }
             for before in self.before(phases) {
                 let start = shot.start(dt, before, self.length(dt));
                 let (mut last, mut out) = (start.bodies, false);
@@ -141,15 +173,14 @@ impl Row {
         Found::of(outcomes, |k, o| {
             let (got, truth) = (self.measure(o), self.truth[k / each]);
             let error = match self.scene {
-                Scene::RestNormal | Scene::RestTangential => 0.0,
-                Scene::Roll => got.abs(),
+                Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_) => 0.0,
+                Scene::Roll | Scene::Hang(_) => got.abs(),
                 // Where it should stick, what still moves apart is the error.
                 _ if truth.is_nan() && o.apart => got.abs(),
                 _ if truth.is_nan() => 0.0,
                 _ => ((got - truth) / truth).abs(),
             };
-            let meets = matches!(self.scene, Scene::Impact | Scene::Oblique);
-            (error, meets && truth.is_nan() == o.apart)
+            (error, self.scene.meets() && truth.is_nan() == o.apart)
         })
     }
 
@@ -171,7 +202,8 @@ impl Row {
 
     /// The class of what was found at a step in units.
     pub fn class(&self, step: f64, found: &Found) -> Class {
-        let limits = if self.scene == Scene::Roll { (1e-4, 1e-2) } else { (0.01, 0.1) };
+        let stops = matches!(self.scene, Scene::Roll | Scene::Hang(_));
+        let limits = if stops { (1e-4, 1e-2) } else { (0.01, 0.1) };
         found.class(limits, self.created(step), step * self.unit() > self.warns)
     }
 }
