@@ -31,7 +31,7 @@ pub struct Aim {
 /// The contact, and the number of law evaluations.
 pub fn impact(chain: &mut Chain, shot: &Shot, aim: &Aim) -> (Outcome, u64) {
     let start = shot.start(aim.duration, 0.0, 0);
-    let mut solver = Solver::new(Motion::new(chain, &start), shot, aim);
+    let mut solver = Solver::new(Motion::new(chain, &start, shot), shot, aim);
     let outcome = solver.run(start.bodies);
     (outcome, solver.motion.calls)
 }
@@ -73,8 +73,8 @@ impl<'a> Solver<'a> {
                 seen.parted = true;
                 break;
             }
-            at = match at.vn < 0.0 && end.vn > 0.0 {
-                true => self.meet(&at, h, |_, i| -i.vn),
+            at = match self.motion.inward(&at) > 0.0 && self.motion.inward(&end) < 0.0 {
+                true => self.meet(&at, h, |s, i| s.motion.inward(i)),
                 false => end,
             };
             h *= factor;

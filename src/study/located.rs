@@ -8,7 +8,7 @@ use crate::law::Kind;
 pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outcome, u64) {
     let start = shot.start(h, 0.0, 0);
     let watched: Vec<bool> = chain.laws().map(|m| matches!(m.kind, Kind::Normal | Kind::Cohesion)).collect();
-    let mut m = Motion::new(chain, &start);
+    let mut m = Motion::new(chain, &start, shot);
     let mut at = m.touch(start.bodies);
     let mut seen = Outcome::default();
     let limit = 1_000_000;

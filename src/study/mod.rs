@@ -1,6 +1,7 @@
 //! Studies: what the methods cost and how wrong they are, and where they fail.
 pub mod about;
 pub mod adaptive;
+pub mod bond;
 pub mod live;
 pub mod located;
 pub mod matter;

@@ -4,6 +4,7 @@
 //! by iteration, and history takes the velocities of the middle. So the step is of second order with dashpots and
 //! histories too. The laws are called as they are: once for the force and once for the history, both from the history
 //! before the step. A query afterwards would not do, as a contact that slips then sits on the border to sticking.
+use super::shot::Shot;
 use crate::chain::Chain;
 use crate::law::{Body, Call, Contact, Stage};
 use crate::pair::{approach, moving, Partner, Start};
@@ -12,6 +13,8 @@ use crate::pair::{approach, moving, Partner, Start};
 pub struct Motion<'a> {
     chain: &'a mut Chain,
     start: &'a Start,
+    /// Of two that are bonded: their length when it begins \[m\], and 1 if they are pressed, −1 if they are stretched.
+    bonded: Option<(f64, f64)>,
     /// Evaluations of the chain so far.
     pub calls: u64,
 }
@@ -36,15 +39,18 @@ pub struct Instant {
 const ITERATIONS: usize = 3;
 
 impl<'a> Motion<'a> {
-    /// Of these bodies; `start` says what they are and what pulls at them.
-    pub fn new(chain: &'a mut Chain, start: &'a Start) -> Motion<'a> {
-        Motion { chain, start, calls: 0 }
+    /// Of the bodies of a shot; `start` says what they are and what pulls at them.
+    pub fn new(chain: &'a mut Chain, start: &'a Start, shot: &Shot) -> Motion<'a> {
+        let length = || (start.bodies[0].x - start.bodies[1].x).norm();
+        let bonded = shot.row().map(|_| (length(), shot.speed.signum()));
+        Motion { chain, start, bonded, calls: 0 }
     }
 
-    /// The state of bodies that just touch.
+    /// The state of bodies that just touch, or whose bond begins.
     pub fn touch(&mut self, bodies: [Body; 2]) -> Instant {
         let mut history = vec![0.0; self.chain.row()];
-        let contact = self.contact(&bodies, false, 0.0);
+        let mut contact = self.contact(&bodies, self.bonded.is_some(), 0.0);
+        contact.gap.call.step = 1;
         let stage = self.evaluate(&contact, &mut history);
         Instant { time: 0.0, bodies, history, stage, vn: contact.surface.vn }
     }
@@ -75,6 +81,11 @@ impl<'a> Motion<'a> {
         to
     }
 
+    /// How fast bodies go on in the way in which they began \[m/s\].
+    pub fn inward(&self, at: &Instant) -> f64 {
+        -at.vn * self.bonded.map_or(1.0, |b| b.1)
+    }
+
     /// Normal relative velocity of bodies \[m/s\].
     pub fn normal_velocity(&self, bodies: &[Body; 2]) -> f64 {
         self.contact(bodies, false, 0.0).surface.vn
@@ -87,8 +98,11 @@ impl<'a> Motion<'a> {
         self.overlap(&self.drift(&bodies, h))
     }
 
-    /// How deep the surfaces overlap \[m\]; negative when apart.
+    /// How deep the surfaces overlap \[m\]; negative when apart. Of bonded ones, how far they are from their length.
     pub fn overlap(&self, bodies: &[Body; 2]) -> f64 {
+        if let Some((length, sign)) = self.bonded {
+            return sign * (length - (bodies[0].x - bodies[1].x).norm());
+        }
         let (gap, overlap) = approach(self.start, bodies, Call::default());
         match self.start.partner {
             Partner::Plane { .. } => overlap,
@@ -120,14 +134,17 @@ impl<'a> Motion<'a> {
     fn evaluate(&mut self, contact: &Contact, history: &mut [f64]) -> Stage {
         let mut stage = Stage::default();
         self.calls += 1;
-        self.chain.touch(self.start.types, contact, history, &mut stage);
+        match self.bonded {
+            Some(_) => self.chain.apart(self.start.types, &contact.gap, history, &mut stage),
+            None => self.chain.touch(self.start.types, contact, history, &mut stage),
+        };
         stage
     }
 
     /// What the laws see; surfaces that have parted within a step are seen just touching.
     fn contact(&self, bodies: &[Body; 2], update: bool, dt: f64) -> Contact {
         let is_wall = matches!(self.start.partner, Partner::Plane { .. });
-        let call = Call { dt, update, is_wall, ..Call::default() };
+        let call = Call { dt, step: 2, update, is_wall, ..Call::default() };
         let (gap, overlap) = approach(self.start, bodies, call);
         let mut contact = if is_wall { Contact::wall(gap, overlap) } else { Contact::pair(gap) };
         contact.surface.deltan = contact.surface.deltan.max(0.0);

@@ -88,8 +88,12 @@ impl Shot {
         }
     }
 
-    /// The bodies, just touching.
+    /// The bodies, just touching; of a row, the first two where its bonds begin.
     pub fn bodies(&self) -> [Body; 2] {
+        if let Some(tied) = self.row() {
+            let all = beads(self, &tied);
+            return [all[0], all[1]];
+        }
         let sphere = |tag: i64, radius: f64| Body {
             tag,
             radius,

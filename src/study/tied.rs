@@ -124,53 +124,100 @@ impl Row<'_> {
     }
 }
 
+/// What is looked at on the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// The largest kinetic energy.
+    Energy,
+    /// One swing out and back: its largest force and how long it lasts, and then no more.
+    Once {
+        /// Whether forces are kept.
+        with_force: bool,
+    },
+    /// Nothing: only the end counts.
+    End,
+}
+
+/// A row whose swing is over is followed so much longer, until all its bonds are slack.
+const LONGER: f64 = 1.2;
+
+/// So many steps, or a few more, that [`every`] divides.
+pub fn whole(steps: f64) -> u64 {
+    let n = steps.ceil() as u64;
+    if n < 128 {
+        n
+    } else {
+        n.next_multiple_of(128)
+    }
+}
+
 /// Every so many steps the energy is looked at, so that LIGGGHTS can be asked in the same ones.
 pub fn every(steps: u64) -> u64 {
     (steps / 128).max(1)
 }
 
-/// What becomes of a row in so many steps of `dt` \[s\]: at the end, and the largest kinetic energy on the way. Also the force of
-/// its first bond over time, if asked for, and when it came back to its length.
-pub fn run(
-    chain: &mut Chain,
-    shot: &Shot,
-    tied: &Tied,
-    (dt, steps): (f64, u64),
-    with_force: bool,
-) -> Outcome {
+/// What becomes of a row in so many steps of `dt` \[s\].
+pub fn run(chain: &mut Chain, shot: &Shot, tied: &Tied, (dt, steps): (f64, u64), look: Look) -> Outcome {
     let bodies = ahead(shot, tied, dt);
     let n = bodies.len();
     let (histories, forces) = (vec![vec![0.0; chain.row()]; n - 1], vec![[Vector3::zeros(); 2]; n]);
     let mut row = Row { chain, start: shot.start(dt, 0.0, steps), bodies, histories, forces, first: 0.0 };
-    let mut seen = Outcome { energy: 1.0, ..Outcome::default() };
-    let length = |b: &[Body]| (b[0].x - b[n - 1].x).norm();
-    let whole = length(&beads(shot, tied));
-    let mut way = 0.0;
+    let mut swing =
+        Swing { whole: length(&beads(shot, tied)), sign: shot.speed.signum(), ..Swing::default() };
+    let mut most = 1.0f64;
     row.evaluate(0, false);
     for step in 1..=steps {
         row.kick(0.5 * dt);
         row.bodies.iter_mut().for_each(|b| b.x += dt * b.v);
         row.evaluate(step as i64, true);
         row.kick(0.5 * dt);
-        if step % every(steps) == 0 {
-            seen.energy = seen.energy.max(shot.judge(&row.bodies).energy);
+        match look {
+            Look::Energy if step % every(steps) == 0 => most = most.max(shot.judge(&row.bodies).energy),
+            Look::Once { with_force } if swing.over(&row, dt * (step - 1) as f64, dt, with_force) => break,
+            _ => {}
         }
         if !row.bodies[0].x.x.is_finite() {
             break;
         }
-        let (now, time) = (shot.speed.signum() * (whole - length(&row.bodies)), dt * (step - 1) as f64);
-        if !seen.parted && step > 2 && now < 0.0 {
-            (seen.duration, seen.parted) = (time + dt * now / (way - now), true);
-        } else if !seen.parted {
-            seen.peak = seen.peak.max(row.first.abs());
-            if with_force {
-                seen.force.push((time, row.first.abs()));
-            }
-        }
-        way = now;
     }
-    let Outcome { peak, duration, parted, force, energy, .. } = seen;
-    Outcome { peak, duration, parted, force, energy, ..shot.judge(&row.bodies) }
+    let end = shot.judge(&row.bodies);
+    let energy = if look == Look::Energy { most } else { end.energy };
+    let Outcome { peak, duration, parted, force, .. } = swing.seen;
+    Outcome { peak, duration, parted, force, energy, ..end }
+}
+
+/// From the first to the last \[m\].
+fn length(bodies: &[Body]) -> f64 {
+    (bodies[0].x - bodies[bodies.len() - 1].x).norm()
+}
+
+/// One swing out and back.
+#[derive(Default)]
+struct Swing {
+    whole: f64,
+    sign: f64,
+    way: f64,
+    seen: Outcome,
+}
+
+impl Swing {
+    /// Sees a state; whether it is over.
+    fn over(&mut self, row: &Row<'_>, time: f64, dt: f64, with_force: bool) -> bool {
+        let now = self.sign * (self.whole - length(&row.bodies));
+        let was = std::mem::replace(&mut self.way, now);
+        if self.seen.parted {
+            return time > LONGER * self.seen.duration;
+        }
+        if time > 1.5 * dt && now < 0.0 {
+            (self.seen.duration, self.seen.parted) = (time + dt * now / (was - now), true);
+            return false;
+        }
+        self.seen.peak = self.seen.peak.max(row.first.abs());
+        if with_force {
+            self.seen.force.push((time, row.first.abs()));
+        }
+        false
+    }
 }
 
 #[cfg(test)]

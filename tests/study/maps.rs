@@ -78,7 +78,7 @@ fn a_row_of_two_is_a_pair() {
     let row = &field.rows[6];
     let (shot, dt, steps) = (row.shots[2], 0.3 * row.unit(), 512);
     let tied = shot.tied.expect("a row");
-    let got = tied::run(&mut row.matter.chain().unwrap(), &shot, &tied, (dt, steps), false);
+    let got = tied::run(&mut row.matter.chain().unwrap(), &shot, &tied, (dt, steps), tied::Look::Energy);
     let [i, j] = tied::ahead(&shot, &tied, dt)[..] else { panic!("two") };
     let start = Start { bodies: [i, j], ..shot.start(dt, 0.0, steps) };
     let mut last = start.bodies;

@@ -10,8 +10,18 @@ fn case(name: &str) -> Case {
 }
 
 /// Restitution by closed forms: kn/k2 of the loop, e of the dashpot.
-const EXACT: [&str; 7] =
-    ["undamped", "damped-0.9", "damped-0.5", "damped-0.5-wall", "hertz-0.5", "plastic-below", "adhesive"];
+const EXACT: [&str; 10] = [
+    "undamped",
+    "damped-0.9",
+    "damped-0.5",
+    "damped-0.5-wall",
+    "hertz-0.5",
+    "plastic-below",
+    "adhesive",
+    "bond",
+    "bond-damped",
+    "bond-pressed",
+];
 
 #[test]
 fn adaptive_extrapolation_meets_closed_forms() {
@@ -78,6 +88,22 @@ fn orders_are_as_claimed() {
     }
 }
 
+/// A chain in its slowest mode comes back as two do, whatever its bonds do on the way.
+#[test]
+fn chains_of_bonds_and_vibrations_meet_closed_forms() {
+    for name in ["bond-chain", "bond-chain-damped", "bond-vibration"] {
+        let truth = Truth::of(&case(name));
+        // Second order: 20,000 steps a swing, ten swings of the vibration.
+        assert!(truth.source == "closed form" && truth.error < 1e-6, "{name}: {:e}", truth.error);
+    }
+    let (two, chain) = (Truth::of(&case("bond")), Truth::of(&case("bond-chain")));
+    approx::assert_relative_eq!(two.value, 0.4f64.sqrt(), max_relative = 1e-12);
+    assert_eq!(two.value, chain.value);
+    // Planted: another bond's answer is not met.
+    let other = Truth::of(&case("bond-chain-damped"));
+    assert!((other.outcome.restitution - chain.value).abs() > 0.1);
+}
+
 /// Planted: a first-order method under a label of second order, and the other way round.
 #[test]
 fn a_wrong_label_is_seen() {
@@ -87,6 +113,8 @@ fn a_wrong_label_is_seen() {
         ("stick-slip-td-off", Method::Verlet, 2.0),
         ("damped-0.5", Method::VerletTimed, 1.0),
         ("undamped", Method::VerletTimed, 2.0),
+        ("bond-damped", Method::Verlet, 1.0),
+        ("bond-pressed", Method::Verlet, 2.0),
     ] {
         let claim = Claim { case, method, order, from: 100.0 };
         let (curve, floor) = curve(&Claim { from: 12.0, ..claim });

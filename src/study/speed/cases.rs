@@ -90,6 +90,12 @@ fn rolling() -> Case {
 
 /// All cases.
 pub fn cases() -> Vec<Case> {
+    let mut all = impacts();
+    all.extend(super::bonds::cases());
+    all
+}
+
+fn impacts() -> Vec<Case> {
     let plastic = |kc: f64| matter("hooke/hysteresis", 1.0).with("coefficientAdhesionStiffness", kc);
     let on_wall =
         |case: Case, name, title| Case { name, title, shot: Shot { wall: true, ..case.shot }, ..case };

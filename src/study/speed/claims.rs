@@ -38,8 +38,15 @@ pub fn claims() -> Vec<Claim> {
         claim("stick-slip-td-off", plain, 1.0, 100.0);
         claim("stick-slip-td-off", timed, 2.0, 100.0);
     }
-    for case in ["damped-0.9", "damped-0.5", "damped-0.5-wall"] {
+    for case in ["damped-0.9", "damped-0.5", "damped-0.5-wall", "bond", "bond-damped"] {
         claim(case, Method::Located, 2.0, 100.0);
+    }
+    for method in [Method::Verlet, Method::Plugin] {
+        for case in ["bond-vibration", "bond", "bond-damped", "bond-chain", "bond-chain-damped"] {
+            claim(case, method, 2.0, 100.0);
+        }
+        // √δ begins with an infinite slope.
+        claim("bond-pressed", method, 1.5, 50.0);
     }
     all
 }

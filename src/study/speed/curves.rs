@@ -63,6 +63,8 @@ pub fn ours(method: Method, case: &Case, truth: &Truth, count: usize, rounds: us
     let count = match () {
         _ if once => 1,
         _ if case.shot.rest.is_some() => 4,
+        // One that ends where it should has no phases at all.
+        _ if case.shot.row().is_some() && case.measure == Measure::Spin => 1,
         _ => count,
     };
     let points = aims.into_iter().map(|n| {

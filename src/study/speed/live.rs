@@ -1,9 +1,11 @@
 //! The same shots in LIGGGHTS, and what a contact costs there in a bed of many.
-use super::cases::Case;
+use super::bonds::{calls, steps};
+use super::cases::{Case, Measure};
 use super::costs::{quartiles, Cost};
 use super::curves::{judge, phases, worth, Curve, STEPS};
 use super::methods::{Method, Runner};
 use super::{Found, Study};
+use crate::law::Kind;
 use crate::report::page::Spread;
 use crate::study::live::{Bench, LiveError, Who};
 use crate::study::matter::{Matter, Names};
@@ -24,6 +26,19 @@ pub struct PerStep {
 const METHODS: [(Method, Who); 3] =
     [(Method::Stock, Who::Stock), (Method::Plugin, Who::TakenOver), (Method::PluginTimed, Who::Own)];
 
+/// Who can compute it; of laws that LIGGGHTS lacks, our own laws alone, without the settings that they do not have.
+fn ways(matter: &Matter) -> impl Iterator<Item = (Method, Who)> {
+    let lacks = matter.needs_ours();
+    let all = METHODS.into_iter().filter(move |(m, _)| !lacks || *m == Method::Plugin);
+    all.map(move |(m, who)| (m, if lacks { Who::Own } else { who }))
+}
+
+/// The law that a case is about: its bond, or its normal law.
+fn about(matter: &Matter) -> &'static str {
+    let bond = matter.laws.iter().find(|(kind, _)| *kind == Kind::Cohesion);
+    bond.unwrap_or(&matter.laws[0]).1
+}
+
 /// Steps per contact, unless the study is full.
 const FEW: [f64; 9] = [12.0, 25.0, 100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0, 6400.0];
 
@@ -32,6 +47,8 @@ const CELLS: usize = 8;
 /// Blocks of steps that are timed.
 const BLOCKS: usize = 9;
 const BLOCK: usize = 40;
+/// Phases of the end of a row's swing.
+const ENDS: usize = 5;
 
 /// Adds curves, costs and trouble to the study.
 pub fn add(bench: &Bench, study: &mut Study, count: usize, full: bool, done: &(dyn Fn(&str) + Sync)) {
@@ -39,8 +56,9 @@ pub fn add(bench: &Bench, study: &mut Study, count: usize, full: bool, done: &(d
     study.per_step = costs(bench, study);
     done("cost per contact in LIGGGHTS");
     let steps = if full { &STEPS[..] } else { &FEW };
-    let jobs: Vec<(usize, Method, Who)> =
-        (0..study.found.len()).flat_map(|c| METHODS.into_iter().map(move |(m, w)| (c, m, w))).collect();
+    let jobs: Vec<(usize, Method, Who)> = (0..study.found.len())
+        .flat_map(|c| ways(&study.found[c].case.matter).map(move |(m, w)| (c, m, w)))
+        .collect();
     let found = &study.found;
     let per_step = &study.per_step;
     let curves: Vec<_> = jobs
@@ -70,7 +88,7 @@ fn curve(
     found: &Found,
     (method, who): (Method, Who),
     per_step: &[PerStep],
-    steps: &[f64],
+    few: &[f64],
     count: usize,
 ) -> Result<(Curve, f64), LiveError> {
     let Found { case, truth, .. } = found;
@@ -78,26 +96,40 @@ fn curve(
     let matter = method.matter(case);
     let ours = if method == Method::PluginTimed { Method::VerletTimed } else { Method::Verlet };
     let mut runner = Runner::new(ours, case, truth).expect("our own scheme does every case");
-    let law = case.matter.laws[0].1;
+    let law = about(&case.matter);
     let each = per_step.iter().find(|p| p.law == law && p.method == method).map(|p| p.cost);
     let (mut points, mut apart) = (Vec::new(), 0.0f64);
-    for n in steps.iter().filter(|n| worth(case, **n)) {
+    for n in few.iter().filter(|n| worth(case, **n)) {
         // One step for all phases: LIGGGHTS has one clock. The ends are spread by the phases of first touch alone, so
         // the step itself is moved off whole numbers of steps per contact.
         let n = n + 0.37;
         let dt = duration / n;
         let count = if case.shot.rest.is_some() { 1 } else { count };
-        let before: Vec<f64> = phases(count).map(|(before, _)| before).collect();
-        // Three contact times beyond the last first touch; a contact that is not over then counts as it stands.
-        let steps = case.shot.rest.map_or(3.0 * n, |r| r.time / dt) as u64;
-        let outcomes = bench.shoot(&matter, &[case.shot], who, (dt, steps), &before)?;
-        for (o, b) in outcomes.iter().zip(&before) {
-            apart = apart.max(difference(case, o, &runner.run(n, *b, false)));
+        let mut outcomes = Vec::new();
+        if case.shot.row().is_some() {
+            // A bond begins with a step, so that only its end has phases.
+            let ends = if case.measure == Measure::Spin { 1 } else { ENDS };
+            for (_, more) in phases(ends) {
+                let o = bench
+                    .shoot(&matter, &[case.shot], who, steps(case, duration, n + more), &[0.0])?
+                    .remove(0);
+                apart = apart.max(difference(case, &o, &runner.run(n + more, 0.0, false)));
+                outcomes.push(o);
+            }
+        } else {
+            let before: Vec<f64> = phases(count).map(|(before, _)| before).collect();
+            // Three contact times beyond the last first touch; a contact that is not over then counts as it stands.
+            let steps = case.shot.rest.map_or(3.0 * n, |r| r.time / dt) as u64;
+            outcomes = bench.shoot(&matter, &[case.shot], who, (dt, steps), &before)?;
+            for (o, b) in outcomes.iter().zip(&before) {
+                apart = apart.max(difference(case, o, &runner.run(n, *b, false)));
+            }
         }
+        let calls = n * calls(case);
         let cost = each.map_or(Spread::exact(f64::NAN), |c| Spread {
-            at: c.at * n,
-            low: c.low * n,
-            high: c.high * n,
+            at: c.at * calls,
+            low: c.low * calls,
+            high: c.high * calls,
         });
         points.push(judge(case, truth, n, &outcomes, cost));
     }
@@ -112,7 +144,7 @@ fn difference(case: &Case, a: &Outcome, b: &Outcome) -> f64 {
 fn costs(bench: &Bench, study: &mut Study) -> Vec<PerStep> {
     let mut matters: Vec<(&'static str, Matter)> = Vec::new();
     for found in &study.found {
-        let law = found.case.matter.laws[0].1;
+        let law = about(&found.case.matter);
         if !matters.iter().any(|(l, _)| *l == law) {
             matters.push((
                 law,
@@ -127,7 +159,7 @@ fn costs(bench: &Bench, study: &mut Study) -> Vec<PerStep> {
     }
     let mut all = Vec::new();
     for (law, matter) in &matters {
-        for (method, who) in METHODS {
+        for (method, who) in ways(matter) {
             let matter = if method == Method::PluginTimed { matter.clone().timed() } else { matter.clone() };
             match bed(bench, &matter, who) {
                 Ok(times) => all.push(PerStep { law, method, cost: quartiles(times) }),

@@ -1,10 +1,12 @@
 //! The methods: how a contact is integrated.
-use super::cases::Case;
+use super::bonds;
+use super::cases::{Case, Measure};
 use super::truth::Truth;
 use crate::chain::Chain;
 use crate::pair::run_while;
 use crate::study::matter::Matter;
 use crate::study::shot::{Follow, Outcome};
+use crate::study::tied::{self, Look};
 use crate::study::{adaptive, located, single};
 
 /// How a contact is integrated, and where.
@@ -78,7 +80,12 @@ impl<'a> Runner<'a> {
         let duration = truth.outcome.duration;
         let works = match method {
             Method::Single => single::impact(&matter, &case.shot, 0.1 * duration, 0.5).is_some(),
-            Method::Located | Method::Adaptive => case.shot.rest.is_none(),
+            Method::Located | Method::Adaptive => match case.shot.row() {
+                Some(tied) => tied.beads == 2 && case.measure == Measure::Restitution,
+                None => case.shot.rest.is_none(),
+            },
+            // Bonds have no such settings.
+            Method::VerletTimed | Method::PluginTimed | Method::Stock => case.shot.row().is_none(),
             _ => true,
         };
         works.then_some(Runner { method, case, matter, chain, duration })
@@ -89,6 +96,12 @@ impl<'a> Runner<'a> {
     pub fn run(&mut self, n: f64, before: f64, with_force: bool) -> Outcome {
         let (shot, h) = (&self.case.shot, self.duration / n);
         match self.method {
+            Method::Verlet if shot.row().is_some() => {
+                let tied = shot.row().expect("a row");
+                let look =
+                    if self.case.measure == Measure::Spin { Look::End } else { Look::Once { with_force } };
+                tied::run(&mut self.chain, shot, &tied, bonds::steps(self.case, self.duration, n), look)
+            }
             Method::Single => single::impact(&self.matter, shot, h, before).unwrap_or_default(),
             Method::Located => located::impact(&mut self.chain, shot, h, with_force).0,
             Method::Adaptive => {

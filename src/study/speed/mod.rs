@@ -1,4 +1,5 @@
 //! Speed against accuracy: every method on every case, its error against the truth and its cost.
+mod bonds;
 mod cases;
 mod claims;
 mod costs;

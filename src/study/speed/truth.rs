@@ -1,4 +1,5 @@
 //! What a case is held against: a closed form where there is one, a converged solution elsewhere.
+use super::bonds;
 use super::cases::{Case, Measure};
 use crate::law::Kind;
 use crate::pair::run;
@@ -6,6 +7,7 @@ use crate::study::adaptive::{impact, Aim};
 use crate::study::matter::Matter;
 use crate::study::modes::loading;
 use crate::study::shot::{Outcome, Shot};
+use crate::study::tied::{run as run_row, whole, Look};
 use std::f64::consts::PI;
 
 /// The answer, and how wrong it may be itself.
@@ -35,6 +37,9 @@ impl Truth {
     pub fn of(case: &Case) -> Truth {
         if let Measure::Distance = case.measure {
             return rolled(case);
+        }
+        if let Some((value, period)) = bonds::closed_form(case) {
+            return bonded(case, value, period);
         }
         let solve = |tolerance, duration, longest, with_force| {
             let mut chain = case.matter.chain().expect("a sound case");
@@ -69,6 +74,33 @@ impl Truth {
         let ((t0, f0), (t1, f1)) = (f[k - 1], f[k]);
         f0 + (f1 - f0) * (time - t0) / (t1 - t0)
     }
+}
+
+/// Bonds have closed forms; what separates them from our own solution is not of the closed form, but all that can be said of it. Two are
+/// solved adaptively, what has no first and last touch in fine steps.
+fn bonded(case: &Case, value: f64, period: f64) -> Truth {
+    let tied = case.shot.row().expect("a row");
+    let mut chain = case.matter.chain().expect("a sound case");
+    let once = case.measure == Measure::Restitution;
+    let dt = period / FINE;
+    let fine = match once {
+        true => {
+            run_row(&mut chain, &case.shot, &tied, (dt, 3 * FINE as u64), Look::Once { with_force: true })
+        }
+        false => {
+            let steps = whole(bonds::swings(case) * FINE);
+            let dt = bonds::swings(case) * period / (steps - 1) as f64;
+            let o = run_row(&mut chain, &case.shot, &tied, (dt, steps), Look::End);
+            Outcome { duration: period, ..o }
+        }
+    };
+    let best = if once && tied.beads == 2 {
+        let aim = Aim { tolerance: TOLERANCE, duration: fine.duration, longest: 0.01, with_force: false };
+        case.measure.of(&impact(&mut chain, &case.shot, &aim).0)
+    } else {
+        case.measure.of(&fine)
+    };
+    Truth { outcome: fine, value, source: "closed form", error: ((best - value) / value).abs() }
 }
 
 /// Rolling to rest: LIGGGHTS's scheme in fine steps.

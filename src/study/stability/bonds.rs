@@ -2,7 +2,8 @@
 use super::fields::{values, Plan};
 use super::row::{Row, Scene};
 use crate::critical::Mode;
-use crate::law::{Kind, Size, Swing};
+use crate::law::{Size, Swing};
+use crate::study::bond::{Bond, MODES};
 use crate::study::matter::Matter;
 use crate::study::shot::{Rest, Shot};
 use crate::study::tied::{beads, Tied, Way};
@@ -14,53 +15,16 @@ const GAP: f64 = 1e-4;
 const LONG: u64 = 3072;
 /// The same of straight ones, whose energy beyond their limit soon is no finite number.
 const SHORT: u64 = 256;
-/// What the others are over the stiffness of first loading, unless a field says otherwise.
+/// What unloading and the line through zero are over the stiffness of first loading, unless a field says otherwise.
 const UNLOADING: f64 = 2.0;
 const HEALING: f64 = 0.5;
 
-const MODES: [&str; 5] =
-    ["compressionStress", "tensionStress", "shearStress", "normalTorqueStress", "shearTorqueStress"];
-
 /// A bond that unloads `ku` times as stiff as it loads, with these modes only and damping of `eta`.
-fn bond(ku: f64, eta: f64, modes: &[&str]) -> Matter {
-    let values = vec![
-        ("youngsModulus", 1e7),
-        ("poissonsRatio", 0.3),
-        ("characteristicVelocity", 2.0),
-        ("coefficientRestitution", 0.9),
-        ("radiusMultiplierBondnonlinear", 0.8),
-        ("createDistanceBondnonlinear", 2.01 * SHOT.radius + GAP),
-        ("maxDistanceBondnonlinear", 2.0 * SHOT.radius + 3.0 * GAP),
-        ("tsCreateBondnonlinear", 1.0),
-    ];
-    let matter = Matter {
-        laws: vec![(Kind::Normal, "hooke"), (Kind::Cohesion, "bond/nonlinear")],
-        values,
-        settings: vec![("bondConvention", "documented")],
-    };
-    let line =
-        |m: Matter, [k, u, c]: [&'static str; 3], x: f64| m.with(k, x).with(u, ku * x).with(c, HEALING * x);
-    let m = line(matter, FAMILIES[0], 4e7);
-    let m = line(m, FAMILIES[1], 1e10).with("stiffnessPerUnitAreaK_ft", 4e9);
-    let m = line(line(m, FAMILIES[2], 4e9), FAMILIES[3], 1e10);
-    let m = ETA.into_iter().fold(m, |m, name| m.with(name, eta));
-    let off = MODES.into_iter().filter(|mode| !modes.contains(mode));
-    let m = off.fold(m, |m, mode| m.set(mode, "off"));
-    m.set("dampingBond", if eta > 0.0 { "on" } else { "off" })
+fn bond(ku: f64, eta: f64, modes: &[&'static str]) -> Matter {
+    let k = [4e7, 1e10, 4e9, 4e9, 1e10];
+    Bond { radius: SHOT.radius, gap: GAP, k, over: [ku, HEALING], eta, modes }.matter()
 }
 
-const FAMILIES: [[&str; 3]; 4] = [
-    ["stiffnessPerUnitAreaK_fn1", "stiffnessPerUnitAreaKu_fn1", "stiffnessPerUnitAreaKc_fn1"],
-    ["stiffnessPerUnitAreaK_fn2", "stiffnessPerUnitAreaKu_fn2", "stiffnessPerUnitAreaKc_fn2"],
-    ["stiffnessPerUnitAreaK_tn", "stiffnessPerUnitAreaKu_tn", "stiffnessPerUnitAreaKc_tn"],
-    ["stiffnessPerUnitAreaK_tt", "stiffnessPerUnitAreaKu_tt", "stiffnessPerUnitAreaKc_tt"],
-];
-const ETA: [&str; 4] = [
-    "dampingNormalForceBondnonlinear",
-    "dampingTangentialForceBondnonlinear",
-    "dampingNormalTorqueBondnonlinear",
-    "dampingTangentialTorqueBondnonlinear",
-];
 const BOTH: [&str; 2] = ["compressionStress", "tensionStress"];
 
 fn row(beads: usize, way: Way) -> Shot {

@@ -148,7 +148,7 @@ impl Row {
         let (mut outcomes, mut missed) = (Vec::new(), 0);
         for shot in &self.shots {
             if let Some(tied) = shot.row() {
-                outcomes.push(tied::run(&mut chain, shot, &tied, (dt, self.length(dt)), false));
+                outcomes.push(tied::run(&mut chain, shot, &tied, (dt, self.length(dt)), tied::Look::Energy));
                 continue;
             }
             for before in self.before(phases) {
