@@ -58,6 +58,8 @@ pub struct Preload<'a> {
     pub shadow: Option<f64>,
     /// File name of the deck, for the traces.
     pub deck: Option<String>,
+    /// Whether the probe follows as many contacts as it has room for, at any cost.
+    pub closely: bool,
     /// A probed run ends in order after so many steps.
     pub steps: Option<u64>,
     /// Whether to warn when the time step is too long for a contact.
@@ -72,8 +74,8 @@ impl<'a> Preload<'a> {
     /// The plugin with its laws, and nothing else to do.
     pub fn new(plugin: &'a Plugin, laws: Laws) -> Preload<'a> {
         let (record, every, probe, shadow, deck) = (None, 1, None, None, None);
-        let (steps, alarm, route, lanes) = (None, false, None, None);
-        Preload { plugin, laws, record, every, probe, shadow, deck, steps, alarm, route, lanes }
+        let (closely, steps, alarm, route, lanes) = (false, None, false, None, None);
+        Preload { plugin, laws, record, every, probe, closely, shadow, deck, steps, alarm, route, lanes }
     }
 
     /// The environment that carries this to the plugin.
@@ -95,6 +97,7 @@ impl<'a> Preload<'a> {
         env.extend(self.steps.map(|n| ("GRANLAW_STEPS", n.to_string())));
         env.extend(self.alarm.then(|| ("GRANLAW_TIMESTEP", "warn".into())));
         env.extend(self.probe.iter().map(|p| ("GRANLAW_PROBE", p.display().to_string())));
+        env.extend(self.closely.then(|| ("GRANLAW_FOLLOW", "all".into())));
         if let Some(tolerance) = self.shadow {
             env.push(("GRANLAW_SHADOW", "on".into()));
             env.push(("GRANLAW_TOLERANCE", format!("{tolerance:e}")));
@@ -233,7 +236,9 @@ fn listed(root: &Path) -> Result<HashMap<PathBuf, (u64, Option<SystemTime>)>, Ru
 fn clean(program: &Path) -> Command {
     let mut command = Command::new(program);
     command.env_remove("LD_PRELOAD");
-    for name in ["LAWS", "RECORD", "EVERY", "PROBE", "STEPS", "TIMESTEP", "SHADOW", "TOLERANCE", "DECK"] {
+    for name in
+        ["LAWS", "RECORD", "EVERY", "PROBE", "FOLLOW", "STEPS", "TIMESTEP", "SHADOW", "TOLERANCE", "DECK"]
+    {
         command.env_remove(format!("GRANLAW_{name}"));
     }
     command

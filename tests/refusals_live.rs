@@ -174,6 +174,7 @@ fn the_environment_is_checked() {
         ("GRANLAW_LAWS", "rusty", "granlaw: GRANLAW_LAWS=rusty must be own, rust or stock"),
         ("GRANLAW_EVERY", "0", "granlaw: GRANLAW_EVERY=0 must be a whole number of at least 1"),
         ("GRANLAW_EVERY", "ten", "granlaw: GRANLAW_EVERY=ten must be a whole number of at least 1"),
+        ("GRANLAW_FOLLOW", "some", "granlaw: GRANLAW_FOLLOW=some must be all"),
         ("GRANLAW_STEPS", "0", "granlaw: GRANLAW_STEPS=0 must be a whole number of at least 1"),
         ("GRANLAW_TIMESTEP", "on", "granlaw: GRANLAW_TIMESTEP=on must be warn"),
     ] {

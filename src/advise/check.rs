@@ -6,6 +6,7 @@ use crate::deck::Deck;
 use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
 use crate::probe::{Probe, ProbeError};
 use crate::trace::{Header, LawSpec};
+use rayon::prelude::*;
 use serde::Serialize;
 use std::time::Duration;
 use thiserror::Error;
@@ -15,7 +16,9 @@ use thiserror::Error;
 pub struct Check {
     /// The advised deck.
     pub advised: String,
-    /// Bulk observables.
+    /// How often each deck ran, every time with another seed.
+    pub runs: usize,
+    /// Bulk observables, of several runs their means.
     pub observables: Vec<Observable>,
     /// Largest difference that is allowed.
     pub bound: f64,
@@ -73,16 +76,27 @@ pub struct Runner<'a> {
 }
 
 impl Runner<'_> {
-    /// The probe of a run of this text in place of the deck.
+    /// The probe of a run of this text in place of the deck; where its contacts are wanted, it follows them `closely`.
     ///
     /// # Errors
     /// The run fails.
-    pub fn probe(&self, text: &str) -> Result<Probe, CheckError> {
+    pub fn probe(&self, text: &str, closely: bool) -> Result<Probe, CheckError> {
         let folder = self.folder(text)?;
         let path = folder.path().join("granlaw-probe.json");
-        let preload = Preload { laws: Laws::Stock, probe: Some(path.clone()), ..self.preload() };
+        let preload = Preload { laws: Laws::Stock, probe: Some(path.clone()), closely, ..self.preload() };
         folder.run(self.host, self.deck, Some(&preload), self.limit)?;
         Ok(Probe::read(&path)?)
+    }
+
+    /// The probes of runs of these texts; several at a time, unless each takes several processors itself.
+    ///
+    /// # Errors
+    /// A run fails.
+    pub fn probes(&self, texts: &[String], closely: bool) -> Result<Vec<Probe>, CheckError> {
+        if self.deck.ranks > 1 {
+            return texts.iter().map(|t| self.probe(t, closely)).collect();
+        }
+        texts.par_iter().with_max_len(1).map(|t| self.probe(t, closely)).collect()
     }
 
     /// The time of a plain run \[s\].
@@ -109,34 +123,51 @@ pub fn with(deck: &str, variable: &str, value: &str) -> String {
     format!("variable {variable} index {value}\n{deck}")
 }
 
-/// Runs both decks, and compares. `first` is the probe of the deck, `other` that of the deck with another seed.
+/// What the deck did.
+#[derive(Clone, Copy, Debug)]
+pub struct Deeds<'a> {
+    /// As it is.
+    pub first: &'a Probe,
+    /// With other values of a variable; each is a run that the advised deck is to be held to, or else there is one, for scatter
+    /// alone.
+    pub others: &'a [Probe],
+    /// The variable, and the values for which the advised deck is to run too.
+    pub variable: &'a str,
+    /// See `variable`.
+    pub values: &'a [String],
+}
+
+/// Runs the advised deck as often as the deck, and compares.
 ///
 /// # Errors
 /// A run fails, or the advised deck is not what `rung` says; where `rung` is `None` it is taken as it is.
 pub fn check(
     runner: &Runner<'_>,
     (deck, advised): (&str, &str),
-    (first, other): (&Probe, Option<&Probe>),
+    did: Deeds<'_>,
     rung: Option<&Rung>,
     bound: f64,
 ) -> Result<Check, CheckError> {
-    let second = runner.probe(advised)?;
-    if let Some(rung) = rung {
-        as_advised(&second, rung).map_err(CheckError::Other)?;
-    }
+    let varied = did.values.iter().map(|v| with(advised, did.variable, v));
+    let runs =
+        runner.probes(&std::iter::once(advised.to_string()).chain(varied).collect::<Vec<_>>(), false)?;
     let long = |p: &Probe| p.bulk.samples.last().map_or(0.0, |s| s.time);
-    let [a, b] = [first, &second].map(long);
-    if (a - b).abs() > 0.01 * a {
-        return Err(CheckError::Other(format!("it ran for {b} s of the scene, the deck for {a} s")));
+    let a = long(did.first);
+    for run in &runs {
+        if let Some(rung) = rung {
+            as_advised(run, rung).map_err(CheckError::Other)?;
+        }
+        let b = long(run);
+        if (a - b).abs() > 0.01 * a {
+            return Err(CheckError::Other(format!("it ran for {b} s of the scene, the deck for {a} s")));
+        }
     }
+    let firsts: Vec<_> = std::iter::once(did.first).chain(did.others).map(|p| &p.bulk).collect();
+    let seconds: Vec<_> = runs.iter().map(|p| &p.bulk).collect();
+    let observables = compare(&firsts[..runs.len()], &seconds, firsts.get(1).copied());
     let seconds = [runner.time(deck)?, runner.time(advised)?];
-    Ok(Check {
-        advised: advised.into(),
-        observables: compare(&first.bulk, &second.bulk, other.map(|o| &o.bulk)),
-        bound,
-        seconds,
-        predicted: rung.and_then(|r| r.predicted),
-    })
+    let predicted = rung.and_then(|r| r.predicted);
+    Ok(Check { advised: advised.into(), runs: runs.len(), observables, bound, seconds, predicted })
 }
 
 /// Whether LIGGGHTS resolved the laws, coefficients and step that were advised.

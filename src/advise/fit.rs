@@ -1,6 +1,7 @@
 //! Fitting the properties that stand for an effect, so that another law does on these contacts what the present one does.
 use super::change::FITTED;
-use super::scene::{Errors, Group, Scene};
+use super::errors::Errors;
+use super::scene::{Group, Scene};
 use crate::laws::prop;
 use crate::trace::{Header, HeaderError};
 
@@ -93,7 +94,7 @@ fn worst(
     error: impl Fn(&Errors) -> f64,
 ) -> Result<f64, HeaderError> {
     let some = scene.only(of);
-    let (errors, _) = some.try_out(chains, dt, None)?;
+    let (errors, _) = some.try_out(chains, dt, None, |_| 1.0)?;
     Ok(errors.iter().map(error).fold(0.0, f64::max))
 }
 

@@ -1,7 +1,8 @@
 //! Advice held to contacts that it was not made from: those of another run of the scene.
+use super::errors::Errors;
 use super::ladder::{trial, Rung};
 use super::rules::HELD_OUT;
-use super::scene::{Contacts, Errors, Scene};
+use super::scene::{Contacts, Scene};
 use super::Options;
 use crate::trace::HeaderError;
 use serde::Serialize;
@@ -56,7 +57,7 @@ pub fn fresh(other: &Scene, deck: &Scene, rung: &Rung, run: &str, o: &Options) -
         at.map_or_else(|| c.clone(), |k| rung.chains[k].clone())
     });
     let chains: Vec<_> = chains.collect();
-    let tried = trial(other, &chains, rung.step.unwrap_or(deck.dt()), None, o)?;
+    let tried = trial(other, &chains, rung.step.unwrap_or(deck.dt()), (None, |_| 1.0), o)?;
     let classes = other.groups.iter().zip(&tried.errors).map(|(g, e)| Class {
         name: g.name.clone(),
         impacts: matches!(g.contacts, Contacts::Impacts(_)),

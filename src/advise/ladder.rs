@@ -1,8 +1,9 @@
 //! The ladder of models: what each leaves out, how wrong that is, the largest step that it bears, and what it costs.
 use super::change::{simpler, Change};
+use super::errors::{Errors, Sure};
 use super::fit::fit;
-use super::rules::{CRITICAL, LARGER, SMALLER};
-use super::scene::{Errors, Scene};
+use super::rules::{sure, CRITICAL, LARGER, SMALLER};
+use super::scene::Scene;
 use super::{cost, Options};
 use crate::law::Kind;
 use crate::trace::{Header, HeaderError};
@@ -26,8 +27,7 @@ pub struct Rung {
     pub at_step: Option<Trial>,
     /// Evaluating the laws on the contacts of the scene \[ns per contact\].
     pub cost: f64,
-    /// Time of a run, relative to the deck as it is, if all but the laws takes the same time per step; `None` without a
-    /// step.
+    /// Time of a run, relative to the deck as it is; `None` without a step.
     pub predicted: Option<f64>,
     /// Why it was not tried, in the words of the law that refused.
     pub refused: Option<String>,
@@ -55,6 +55,14 @@ impl Rung {
     }
 }
 
+impl Rung {
+    /// How much there is to it: laws, history slots, and changes to the deck, in this order.
+    pub(super) fn size(&self) -> (usize, usize, usize) {
+        let sum = |of: fn(&Header) -> usize| self.chains.iter().map(of).sum();
+        (sum(|h| h.laws.len()), sum(|h| h.slots.len()), self.changes.len())
+    }
+}
+
 /// Every rung: the deck as it is, every single change, and every combination of those that hold.
 pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Rung>, HeaderError> {
     let mut rungs = vec![rung(scene, o, Vec::new(), &[])?];
@@ -71,8 +79,7 @@ pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Rung>, HeaderError
     }
     let (cost, dt) = (rungs[0].cost, scene.dt());
     for r in &mut rungs {
-        let per_call = 1.0 + (r.cost - cost) / scene.per_call.max(cost);
-        r.predicted = r.step.map(|step| per_call * dt / step);
+        r.predicted = r.step.map(|step| scene.pace.relative((cost, r.cost), dt / step));
     }
     Ok(rungs)
 }
@@ -109,7 +116,7 @@ fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Re
     if let Err(why) = if to_fit { fit(scene, &mut chains) } else { Ok(()) } {
         return Ok(none(why, chains));
     }
-    let model = match trial(scene, &chains, scene.fine(), None, o) {
+    let model = match trial(scene, &chains, scene.fine(), (None, sure), o) {
         Ok(model) => model,
         Err(why) => return Ok(none(why, chains)),
     };
@@ -136,7 +143,7 @@ fn largest(
         if step > critical {
             return Ok(None);
         }
-        let t = trial(scene, chains, step, Some(model), o)?;
+        let t = trial(scene, chains, step, (Some(model), sure), o)?;
         Ok(within(&t, o).then_some((step, t)))
     };
     let mut found = None;
@@ -158,10 +165,10 @@ pub(super) fn trial(
     scene: &Scene,
     chains: &[Header],
     dt: f64,
-    before: Option<&Trial>,
+    (before, sure): (Option<&Trial>, Sure),
     o: &Options,
 ) -> Result<Trial, HeaderError> {
-    let (errors, omega) = scene.try_out(chains, dt, before.map(|t| &t.errors[..]))?;
+    let (errors, omega) = scene.try_out(chains, dt, before.map(|t| &t.errors[..]), sure)?;
     let worst = errors.iter().enumerate().map(|(k, e)| {
         let (what, size) = e.worst(o.time);
         (what, size, k, if what == "contact time" { size / o.time } else { size })

@@ -6,7 +6,9 @@
 pub mod bulk;
 mod change;
 pub mod check;
+mod classes;
 mod cost;
+mod errors;
 mod fit;
 pub mod fresh;
 pub mod held;
@@ -18,14 +20,17 @@ mod rank;
 pub mod rewrite;
 pub mod rules;
 mod scene;
+pub mod seeds;
 mod text;
 
 pub use change::Change;
+pub use cost::Pace;
+pub use errors::Errors;
 pub use ladder::{Rung, Trial};
 pub use lines::Line;
 pub use page::page;
 pub use rank::{rank, Term};
-pub use scene::{Contacts, Errors, Group, Scene};
+pub use scene::{Contacts, Group, Scene};
 pub use text::text;
 
 use crate::probe::Probe;
@@ -179,16 +184,11 @@ fn measured(c: &crate::probe::Contacts, law: &str) -> String {
     )
 }
 
-/// The cheapest model that holds; of those that cost much the same, the one that changes least.
+/// The simplest of the models that hold and are predicted to take as little time as any.
 fn choose(ladder: &[Rung]) -> Option<usize> {
-    let mut best: Option<usize> = None;
-    let mut order: Vec<_> = (0..ladder.len()).filter(|k| ladder[*k].predicted.is_some()).collect();
-    order.sort_by_key(|k| ladder[*k].changes.len());
-    for k in order {
-        let cost = |k: usize| ladder[k].predicted.unwrap_or(f64::INFINITY);
-        if best.is_none_or(|b| cost(k) < rules::WORTH * cost(b)) {
-            best = Some(k);
-        }
-    }
-    best
+    let time = |k: &usize| ladder[*k].predicted.unwrap_or(f64::INFINITY);
+    let holding = || (0..ladder.len()).filter(|k| time(k).is_finite());
+    let least = holding().map(|k| time(&k)).fold(f64::INFINITY, f64::min);
+    let fast = holding().filter(|k| time(k) <= (1.0 + rules::EQUAL) * least);
+    fast.min_by(|a, b| ladder[*a].size().cmp(&ladder[*b].size()).then(time(a).total_cmp(&time(b))))
 }

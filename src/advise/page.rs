@@ -248,11 +248,15 @@ fn whole(found: &Found) -> Section {
         vec!["measured, relative".into(), c.measured().into()],
         vec!["predicted, relative".into(), known(c.predicted)],
     ];
-    let columns = ["observable", "difference", "bound", "between seeds", "how it is meant"];
+    let columns = ["observable", "difference", "bound", "by chance", "how it is meant"];
     let deck = c.advised.lines().map(|l| vec![Cell::from(l)]).collect();
     Section {
         title: "The whole scene, deck against advised deck".into(),
-        text: Vec::new(),
+        text: vec![format!(
+            "Each deck ran {} time{}, with other seeds; \"by chance\" is what as many runs of the deck differ from as many others.",
+            c.runs,
+            if c.runs == 1 { "" } else { "s" },
+        )],
         items: vec![
             table("observables", "Bulk observables", &columns, rows.collect()),
             table("times", "Wall-clock time of plain runs", &["", "time"], times),

@@ -1,10 +1,13 @@
 //! What of a probe is lived through again: its important classes of contacts, and what the present chain makes of them.
+use super::classes::{counting, Sums};
+use super::cost::Pace;
+use super::errors::{astray, wrong, Errors, Sure};
 use super::held::{hold, Held};
 use super::lived::{self, Rebound};
-use super::rules::{COVERED, FINE, IMPORTANT, PHASES, STUCK};
+use super::rules::{FINE, PHASES, STUCK};
 use crate::chain::Chain;
 use crate::law::Reach;
-use crate::probe::{Class, Drawn, Impact, Pressed, Probe, TypePair};
+use crate::probe::{Impact, Pressed, Probe};
 use crate::trace::{Header, HeaderError};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -23,6 +26,9 @@ pub struct Group {
     pub types: [usize; 2],
     /// Share of all impacts; 0 for loads.
     pub count: f64,
+    /// The share that it may have in another run: contacts are drawn, and their number is off by its root.
+    #[serde(skip)]
+    pub likely: f64,
     /// Share of the momentum exchanged along normals by all contacts.
     pub impulse: f64,
     /// Share of the work that all contacts took out of the motion.
@@ -41,26 +47,6 @@ pub enum Contacts {
     Loads(Vec<(Pressed, Held)>),
 }
 
-/// What a chain gets wrong of a class: the mean over its contacts, and the standard error of that mean on top, so that
-/// other contacts of the class may be expected to come out no worse.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Errors {
-    /// Normal speed afterwards over that before, absolute.
-    pub restitution: f64,
-    /// Contact time, relative.
-    pub time: f64,
-    /// Surface speed by spin afterwards, over the speed of the impact.
-    pub spin: f64,
-    /// Square root of overlap over R* under a load: the coordination number of a packing goes with it.
-    pub overlap: f64,
-    /// Tangential force that is borne at rest, over the normal load.
-    pub shear: f64,
-    /// Torque against rolling or torsion, over the normal load times R*.
-    pub torque: f64,
-    /// Attraction that is borne, over the normal load.
-    pub tension: f64,
-}
-
 /// What is lived through again, and how.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -76,70 +62,8 @@ pub struct Scene {
     pub covered: (f64, f64),
     /// Circular frequency of the stiffest contact \[rad/s\].
     pub omega: f64,
-    /// Processor time of the probed run per contact call \[ns\].
-    pub per_call: f64,
-}
-
-impl Errors {
-    fn all(&mut self) -> [&mut f64; 7] {
-        let Errors { restitution, time, spin, overlap, shear, torque, tension } = self;
-        [restitution, time, spin, overlap, shear, torque, tension]
-    }
-
-    /// Of one contact that began at two moments of a step.
-    fn halfway([mut a, mut b]: [Errors; 2]) -> Errors {
-        a.all().into_iter().zip(b.all()).for_each(|(a, b)| *a = 0.5 * (*a + *b));
-        a
-    }
-
-    /// Of many contacts.
-    fn mean(mut of: Vec<Errors>) -> Errors {
-        let n = of.len() as f64;
-        let mut mean = Errors::default();
-        for (k, out) in mean.all().into_iter().enumerate() {
-            let values: Vec<f64> = of.iter_mut().map(|e| *e.all()[k]).collect();
-            let m = values.iter().sum::<f64>() / n;
-            let square = values.iter().map(|x| (x - m) * (x - m)).sum::<f64>();
-            *out = if n > 1.0 { m + (square / (n - 1.0) / n).sqrt() } else { m };
-        }
-        mean
-    }
-
-    /// The largest with its name; contact time counts as far as it is asked for less closely.
-    pub fn worst(&self, time: f64) -> (&'static str, f64) {
-        let all = [
-            ("restitution", self.restitution),
-            ("contact time", self.time / time),
-            ("spin", self.spin),
-            ("overlap under load", self.overlap),
-            ("shear held at rest", self.shear),
-            ("torque against rolling", self.torque),
-            ("attraction borne", self.tension),
-        ];
-        let worst =
-            |a: (&'static str, f64), b: (&'static str, f64)| if worse(a.1, b.1) > a.1 { b } else { a };
-        let found = all.into_iter().fold(("", 0.0), worst);
-        if found.0 == "contact time" {
-            (found.0, self.time)
-        } else {
-            found
-        }
-    }
-
-    /// Whether all are within what is asked for: the accuracy, and for contact times a multiple of it.
-    pub fn within(&self, accuracy: f64, time: f64) -> bool {
-        let rest = [self.restitution, self.spin, self.overlap, self.shear, self.torque, self.tension];
-        rest.iter().all(|e| *e <= accuracy) && self.time <= accuracy * time
-    }
-}
-
-/// The larger; NaN is worse than anything.
-fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::INFINITY
-    } else {
-        a.max(b)
-    }
+    /// What the probed run took.
+    pub pace: Pace,
 }
 
 impl Scene {
@@ -162,8 +86,8 @@ impl Scene {
         for (k, c) in chains.iter().enumerate().filter(|(k, _)| tried(k)) {
             for p in &c.pairs {
                 omega = omega.max(p.fastest.omega());
-                groups.extend(p.impacts.iter().map(|i| sums.group((k, &c.header.who), p, i, true)));
-                groups.extend(p.pressed.iter().map(|l| sums.group((k, &c.header.who), p, l, false)));
+                groups.extend(p.impacts.iter().map(|i| sums.group((k, c), p, i, true)));
+                groups.extend(p.pressed.iter().map(|l| sums.group((k, c), p, l, false)));
             }
         }
         counting(&mut groups);
@@ -173,11 +97,10 @@ impl Scene {
         count = if sums.count > 0.0 { count } else { 1.0 };
         impulse = if sums.impulse > 0.0 { impulse } else { 1.0 };
         let covered = (count, impulse);
-        let every: u64 = probe.chains.iter().map(|c| c.calls).sum();
-        let per_call = 1e9 * probe.seconds * probe.ranks as f64 / every.max(1) as f64;
         let headers = chains.iter().map(|c| c.header.clone()).collect();
         let calls = chains.iter().map(|c| c.calls).collect();
-        let mut scene = Scene { chains: headers, calls, untried, groups, covered, omega, per_call };
+        let mut scene =
+            Scene { chains: headers, calls, untried, groups, covered, omega, pace: Pace::of(probe) };
         scene.live();
         Ok(scene)
     }
@@ -234,13 +157,14 @@ impl Scene {
         chains: &[Header],
         dt: f64,
         known: Option<&[Errors]>,
+        sure: Sure,
     ) -> Result<(Vec<Errors>, f64), HeaderError> {
         let tried = self.groups.par_iter().enumerate().map(|(k, g)| {
             if let (Some(known), Contacts::Loads(_)) = (known, &g.contacts) {
                 return Ok((known[k], 0.0));
             }
             let mut bench = Bench::new(&chains[g.chain])?;
-            Ok(bench.errors(g, dt))
+            Ok(bench.errors(g, dt, sure))
         });
         let all: Vec<_> = tried.collect::<Result<_, HeaderError>>()?;
         Ok((all.iter().map(|(e, _)| *e).collect(), all.iter().map(|(_, w)| *w).fold(0.0, f64::max)))
@@ -265,7 +189,7 @@ impl Bench {
         lived::impact(&mut self.chain, Some(&mut self.laws), i, (dt, phase, longest))
     }
 
-    fn errors(&mut self, g: &Group, dt: f64) -> (Errors, f64) {
+    fn errors(&mut self, g: &Group, dt: f64, sure: Sure) -> (Errors, f64) {
         let mut most = 0.0f64;
         let mut seen = |errors, omega| {
             most = most.max(omega);
@@ -291,125 +215,6 @@ impl Bench {
                 all.iter().map(one).collect()
             }
         };
-        (Errors::mean(errors), most)
-    }
-}
-
-fn wrong(i: &Impact, truth: &Rebound, got: &Rebound) -> Errors {
-    let speed = i.v[0].hypot(i.slip);
-    let spin = |k: usize| (got.spin[k] - truth.spin[k]).norm() * i.partners.radius[k] / speed;
-    let time = match (truth.time.is_finite(), got.time.is_finite()) {
-        (true, true) => (got.time / truth.time - 1.0).abs(),
-        (false, false) => 0.0,
-        // One sticks and the other does not.
-        _ => 1.0,
-    };
-    Errors {
-        restitution: (got.restitution - truth.restitution).abs(),
-        time,
-        spin: worse(spin(0), spin(1)),
-        ..Errors::default()
-    }
-}
-
-fn astray(l: &Pressed, truth: &Held, got: &Held) -> Errors {
-    let torque = |k: usize| (got.torque[k] - truth.torque[k]).abs();
-    let root = |h: &Held| (h.overlap / l.partners.reff()).sqrt();
-    Errors {
-        overlap: (root(got) - root(truth)).abs(),
-        shear: (got.shear - truth.shear).abs(),
-        torque: worse(torque(0), torque(1)),
-        tension: (got.tension - truth.tension).abs(),
-        ..Errors::default()
-    }
-}
-
-/// Leaves the classes that count: those with a share of their own, and the next larger ones as far as they are needed to
-/// cover the scene.
-fn counting(groups: &mut Vec<Group>) {
-    let mut counts: Vec<bool> =
-        groups.iter().map(|g| g.count.max(g.impulse).max(g.dissipated) >= IMPORTANT).collect();
-    for share in [|g: &Group| g.count, |g: &Group| g.impulse] {
-        let mut order: Vec<_> = (0..groups.len()).collect();
-        order.sort_by(|a, b| share(&groups[*b]).total_cmp(&share(&groups[*a])));
-        let mut covered: f64 = order.iter().filter(|k| counts[**k]).map(|k| share(&groups[*k])).sum();
-        for k in order {
-            if covered < COVERED && !counts[k] {
-                counts[k] = true;
-                covered += share(&groups[k]);
-            }
-        }
-    }
-    let mut counts = counts.into_iter();
-    groups.retain(|_| counts.next() == Some(true));
-}
-
-/// What shares are of.
-struct Sums {
-    count: f64,
-    impulse: f64,
-    dissipated: f64,
-}
-
-impl Sums {
-    fn of<'a>(pairs: impl Iterator<Item = &'a TypePair>) -> Sums {
-        let mut s = Sums { count: 0.0, impulse: 0.0, dissipated: 0.0 };
-        for p in pairs {
-            s.count += p.impacts.iter().map(|c| c.count as f64).sum::<f64>();
-            s.impulse += p.impulse.normal;
-            s.dissipated += -p.work.sum();
-        }
-        s
-    }
-
-    fn group<T: Kept>(&self, (chain, who): (usize, &str), p: &TypePair, c: &Class<T>, impact: bool) -> Group {
-        let share = |x: f64, of: f64| if of > 0.0 { x / of } else { 0.0 };
-        let [a, b] = p.types;
-        Group {
-            name: format!("{who} {a}-{b}: {}", T::words(c.octave, c.slant)),
-            chain,
-            types: [a.min(b), a.max(b)],
-            count: if impact { share(c.count as f64, self.count) } else { 0.0 },
-            impulse: share(c.impulse, self.impulse),
-            dissipated: share(c.dissipated, self.dissipated),
-            contacts: T::contacts(&c.examples),
-        }
-    }
-}
-
-/// What a class keeps examples of.
-trait Kept: Sized {
-    fn words(octave: i32, slant: u8) -> String;
-    fn contacts(of: &[Drawn<Self>]) -> Contacts;
-}
-
-impl Kept for Impact {
-    fn words(octave: i32, slant: u8) -> String {
-        let slip = ["below 1/4", "1/4 to 1", "1 to 4", "above 4"][usize::from(slant.min(3))];
-        format!("{} to {} m/s, slip {slip}", power(octave), power(octave + 1))
-    }
-    fn contacts(of: &[Drawn<Impact>]) -> Contacts {
-        Contacts::Impacts(of.iter().map(|d| (d.what, Rebound::default())).collect())
-    }
-}
-
-impl Kept for Pressed {
-    fn words(octave: i32, slant: u8) -> String {
-        let pull = ["below 1/20", "1/20 to 1/5", "1/5 to 1/2", "above 1/2"][usize::from(slant.min(3))];
-        format!("pressed by {} to {} N, pulled by {pull} of it", power(octave), power(octave + 1))
-    }
-    fn contacts(of: &[Drawn<Pressed>]) -> Contacts {
-        Contacts::Loads(of.iter().map(|d| (d.what, Held::default())).collect())
-    }
-}
-
-/// A power of two with two digits.
-fn power(octave: i32) -> String {
-    let x = f64::from(octave).exp2();
-    let digits = (1 - x.log10().floor() as i32).max(0) as usize;
-    if !(1e-3..1e4).contains(&x) {
-        format!("{x:.1e}")
-    } else {
-        format!("{x:.digits$}")
+        (Errors::mean(errors, sure), most)
     }
 }

@@ -22,15 +22,27 @@ pub fn text(found: &Found) -> String {
 }
 
 fn checked(t: &mut String, c: &Check) -> fmt::Result {
-    writeln!(t, "\nThe whole scene, deck against advised deck; {} allowed", percent(c.bound))?;
+    writeln!(t, "\nThe whole scene, deck against advised deck; {} allowed{}", percent(c.bound), runs(c))?;
     for o in &c.observables {
         let sign = if o.within(c.bound) { " " } else { "x" };
-        let scatter = o.scatter.map_or(String::new(), |s| format!("({} between seeds)", percent(s)));
+        let scatter = o.scatter.map_or(String::new(), |s| format!("({} by chance)", percent(s)));
         writeln!(t, "{sign} {:<20} {:>8} {scatter:<22} {}", o.name, percent(o.difference), o.meaning)?;
+    }
+    if c.runs == 1 && !c.holds() {
+        writeln!(t, "  one run of each cannot tell what the advice does from chance; --seeds 8 can")?;
     }
     let predicted = c.predicted.map_or(String::new(), |p| format!("; {} predicted", percent(p)));
     let [deck, advised] = c.seconds;
     writeln!(t, "  time {deck:.2} s and {advised:.2} s: {} of it{predicted}", percent(c.measured()))
+}
+
+/// How many runs there were, if there were several.
+pub(super) fn runs(c: &Check) -> String {
+    if c.runs > 1 {
+        format!("; means of {} runs each", c.runs)
+    } else {
+        String::new()
+    }
 }
 
 fn tried_again(t: &mut String, f: &Fresh, time: f64) -> fmt::Result {

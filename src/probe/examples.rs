@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// How many examples a class keeps.
-pub const KEPT: usize = 12;
+pub const KEPT: usize = 24;
 
 /// What sizes and weights two partners have.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -156,9 +156,13 @@ impl Pressed {
 /// The normal, the direction of slip, and what is normal to both.
 fn axes(x: &Contact) -> [Vector3<f64>; 3] {
     let n = x.surface.en;
-    let across = |v: Vector3<f64>| (v - n * n.dot(&v)).try_normalize(0.0);
+    // A slip that is rounding alone has any direction, along the normal too.
+    let least = 1e-12 * (x.gap.i.v - x.gap.j.v).norm();
+    let across = |v: Vector3<f64>| (v - n * n.dot(&v)).try_normalize(least);
     // Any direction will do where nothing slips; the axis furthest from the normal cannot fail.
-    let t = across(x.surface.vtr).or_else(|| across(Vector3::ith(n.iamin(), 1.0))).unwrap_or_else(Vector3::x);
+    let t = across(x.surface.vtr).unwrap_or_else(|| Vector3::ith(n.iamin(), 1.0));
+    // Once more, as the first time leaves what rounding makes of a small slip.
+    let t = (t - n * n.dot(&t)).normalize();
     [n, t, n.cross(&t)]
 }
 
@@ -206,5 +210,27 @@ pub(super) fn merge<T: Copy>(classes: &mut Vec<Class<T>>, other: Class<T>) {
             class.examples.insert(at, drawn);
             class.examples.truncate(KEPT);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slip_that_is_rounding_alone_does_not_turn_the_axes() {
+        let mut x = Contact::default();
+        x.surface.en = Vector3::new(0.6, 0.0, 0.8);
+        x.gap.i.v = x.surface.en * -0.2;
+        for slip in
+            [Vector3::zeros(), x.surface.en * 5e-17, Vector3::new(3e-17, 1e-17, 4e-17), Vector3::y() * 1e-9]
+        {
+            x.surface.vtr = slip;
+            let [n, t, s] = axes(&x);
+            let most = [n.dot(&t), n.dot(&s), t.dot(&s)].map(f64::abs).into_iter().fold(0.0, f64::max);
+            assert!(most < 1e-14 && (t.norm() - 1.0).abs() < 1e-14, "{slip:?} {t:?}");
+        }
+        // The slip itself is where it was.
+        assert!((axes(&x)[1] - Vector3::y()).norm() < 1e-6);
     }
 }

@@ -10,13 +10,19 @@ use crate::trace::Header;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
+use std::time::Instant;
 
 /// At most so many contacts are followed at a time. When there are more, every second pair of particles is let go,
 /// chosen by a hash of their numbers, and those that stay count twice.
 pub const FOLLOWED: usize = 512;
 /// So few are all followed. Of more, at most a quarter, mostly an eighth: that keeps a probed run below 1.5
 /// times the time of a plain one, as following a contact costs more than evaluating it.
-const FEW: usize = 8;
+const FEW: usize = 4;
+/// All of so many where the cost does not matter.
+const MANY: usize = 4096;
+
+/// One in so many calls is timed; calls come in no order that would have to do with it.
+const TIMED: u64 = 61;
 
 /// Numbers of the partners, and what tells apart the meshes that number their triangles alike.
 type Key = (i64, i64, usize);
@@ -32,7 +38,11 @@ pub struct Follower {
     /// Where the types of a call are in `contacts.pairs`.
     places: Vec<Option<usize>>,
     live: FxHashMap<Key, Live>,
+    /// So many are all followed, and never more than `most`.
+    few: usize,
     most: usize,
+    /// Time that calls took \[s\].
+    seconds: f64,
     /// The step at hand, the calls before it, and the calls in the step before.
     step: i64,
     before: u64,
@@ -68,7 +78,9 @@ impl Follower {
             mu,
             places,
             live,
+            few: FEW,
             most,
+            seconds: 0.0,
             step: i64::MIN,
             before: 0,
             touching: 0,
@@ -77,6 +89,17 @@ impl Follower {
             told_bonds,
             impulse: Vector3::zeros(),
         }
+    }
+
+    /// Follows as many contacts as there is room for, at any cost.
+    pub fn closely(mut self) -> Follower {
+        (self.few, self.most) = (MANY, MANY);
+        self
+    }
+
+    /// Time that following took, from a sample of the calls \[s\].
+    pub(super) fn seconds(&self) -> f64 {
+        self.seconds
     }
 
     pub(super) fn header(&self) -> &Header {
@@ -113,6 +136,15 @@ impl Follower {
 
     /// A followed contact, in a call that may write history.
     pub fn touched(&mut self, call: &Call<'_>) {
+        if !self.contacts.calls.is_multiple_of(TIMED) {
+            return self.follow(call);
+        }
+        let begun = Instant::now();
+        self.follow(call);
+        self.seconds += begun.elapsed().as_secs_f64() * TIMED as f64;
+    }
+
+    fn follow(&mut self, call: &Call<'_>) {
         let g = &call.contact.gap;
         let (i, j, place) = (g.i.tag, g.j.tag, call.place);
         let key = if g.call.is_wall { (i, j, place) } else { (i.min(j), i.max(j), place) };
@@ -139,11 +171,13 @@ impl Follower {
             }
         };
         self.contacts.followed += 1;
-        let weight = live.weight() as f64;
         let motion = Motion::of(call);
-        let (load, residual) = match &mut self.chain {
-            Some(chain) => laws((chain, &self.kinds), &mut self.history, call, &motion, weight, pair),
-            None => (0.0, 0.0),
+        let (load, residual) = match (&mut self.chain, live.turn()) {
+            (Some(chain), turn) if turn > 0 => {
+                let weight = (live.weight() * turn) as f64;
+                laws((chain, &self.kinds), &mut self.history, call, &motion, weight, pair)
+            }
+            _ => (0.0, 0.0),
         };
         if self.chain.is_none() {
             let (stiffness, damping) = (call.handed.kn, call.handed.gamman);
@@ -173,7 +207,7 @@ impl Follower {
     }
 
     fn room(&self) -> usize {
-        (self.touching / 4).clamp(FEW, self.most.max(FEW))
+        (self.touching / 4).clamp(self.few, self.most.max(self.few))
     }
 
     fn place(&mut self, call: &Call<'_>) -> usize {
@@ -210,7 +244,11 @@ impl Follower {
         while self.live.len() > self.room() * 3 / 4 {
             self.contacts.share *= 2;
             let share = self.contacts.share;
-            self.live.retain(|key, _| drawn((key.0, key.1), share));
+            // What is let go was seen up to here, as if the run were over.
+            for (_, l) in self.live.extract_if(|key, _| !drawn((key.0, key.1), share)) {
+                let at = l.at;
+                l.end(Over::End, &mut self.contacts.pairs[at]);
+            }
         }
     }
 }

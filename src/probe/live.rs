@@ -6,6 +6,9 @@ use super::Call;
 
 /// Longer than this many half periods of its own spring, a contact is pressed rather than an impact.
 const IMPACT: f64 = 8.0;
+/// From then on its laws are asked in every so many steps, each time for all of them: it changes little from one to the next,
+/// and to ask them is most of what the probe costs.
+const SELDOM: u64 = 4;
 
 /// A followed contact.
 pub(super) struct Live {
@@ -105,6 +108,21 @@ impl Live {
         }
     }
 
+    /// For how many steps the laws are to be asked in the one at hand; 0 if they are not.
+    pub fn turn(&self) -> u64 {
+        match self.lasted() {
+            false => 1,
+            true if self.steps.is_multiple_of(SELDOM) => SELDOM,
+            true => 0,
+        }
+    }
+
+    /// Whether it is no impact any more.
+    fn lasted(&self) -> bool {
+        let longest = IMPACT * std::f64::consts::PI;
+        self.time * self.time * self.kn > longest * longest * self.partners.meff
+    }
+
     /// The contact is over; what it was goes into its pair.
     pub fn end(mut self, over: Over, pair: &mut TypePair) {
         let weight = self.weight;
@@ -123,8 +141,7 @@ impl Live {
         if seen_whole.is_some() {
             pair.steps.add(self.steps as f64, weight);
         }
-        let half_period = std::f64::consts::PI * (self.partners.meff / self.kn).sqrt();
-        let lasted = self.time > IMPACT * half_period;
+        let lasted = self.lasted();
         match seen_whole {
             Some(impact) if !lasted => self.impact(*impact, pair),
             _ if lasted => self.pressed(pair),

@@ -13,6 +13,7 @@ mod histogram;
 mod live;
 mod session;
 mod tally;
+mod times;
 mod work;
 
 pub use bulk::{Bulk, Sample, SAMPLES};
@@ -22,6 +23,7 @@ pub use grains::Grains;
 pub use histogram::{Bin, Histogram};
 pub use session::{Particles, Session};
 pub use tally::{Branches, Counts, Directions, Fastest, Impulse, LawShare, TypePair};
+pub use times::Times;
 
 use crate::law::Contact;
 use crate::trace::{Handed, Header};
@@ -44,6 +46,9 @@ pub struct Probe {
     pub ranks: usize,
     /// Wall-clock time from the first step to the last, with the probe at work \[s\].
     pub seconds: f64,
+    /// What else is known of the time that the run took.
+    #[serde(default)]
+    pub times: Times,
     /// The pair style and each wall fix; once more where a deck changes laws, coefficients or time step.
     pub chains: Vec<Contacts>,
     /// The particles by type.
@@ -141,6 +146,7 @@ impl Probe {
         grains::merge(&mut self.grains, &other.grains);
         self.bulk.merge(other.bulk);
         self.seconds = self.seconds.max(other.seconds);
+        self.times.merge(other.times);
     }
 
     /// One chain for the pair style and one for all walls with the same laws, coefficients and time step, which is then

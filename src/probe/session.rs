@@ -2,20 +2,22 @@
 use super::bulk::{Bulk, Clock, Sample};
 use super::follow::{Follower, FOLLOWED};
 use super::grains::{self, Grains};
+use super::times::Stopwatch;
 use super::{Probe, FORMAT};
 use crate::trace::Header;
-use std::time::Instant;
 
 /// Collects what a rank sees of a run.
 #[derive(Default)]
 pub struct Session {
     followers: Vec<Follower>,
+    /// Whether as many contacts are followed as there is room for.
+    all: bool,
     ranks: usize,
     grains: Vec<Grains>,
     bulk: Bulk,
     clock: Clock,
-    /// When the first step and the latest began.
-    began: Option<[Instant; 2]>,
+    /// From the first step on.
+    watch: Option<Stopwatch>,
 }
 
 /// The particles of a rank.
@@ -36,6 +38,11 @@ pub struct Particles<'a> {
 }
 
 impl Session {
+    /// One that follows as many contacts as it has room for, at any cost.
+    pub fn closely() -> Session {
+        Session { all: true, ..Session::default() }
+    }
+
     /// The place of the chain with this header, which is begun if there was none like it.
     pub fn chain(&mut self, mut header: Header) -> usize {
         self.ranks = header.ranks;
@@ -47,7 +54,8 @@ impl Session {
             if header.who != "pair" {
                 self.bulk.wall(&header.who);
             }
-            self.followers.push(Follower::new(header, FOLLOWED));
+            let follower = Follower::new(header, FOLLOWED);
+            self.followers.push(if self.all { follower.closely() } else { follower });
             self.followers.len() - 1
         })
     }
@@ -60,10 +68,13 @@ impl Session {
         &mut self.followers[at]
     }
 
-    /// A step begins. The result is whether [`Session::sample`] is to be called.
-    pub fn tick(&mut self, step: i64, dt: f64) -> bool {
-        let now = Instant::now();
-        self.began = Some([self.began.map_or(now, |b| b[0]), now]);
+    /// A step of dt \[s\] begins, for which the neighbour list was made anew or not. The result is whether [`Session::sample`]
+    /// is to be called.
+    pub fn tick(&mut self, step: i64, dt: f64, listed: bool) -> bool {
+        match &mut self.watch {
+            Some(watch) => watch.tick(listed),
+            none => *none = Some(Stopwatch::new()),
+        }
         self.clock.tick(step, dt)
     }
 
@@ -94,9 +105,10 @@ impl Session {
 
     /// The run is over.
     pub fn finish(self) -> Probe {
-        let Session { followers, ranks, grains, bulk, began, .. } = self;
+        let Session { followers, ranks, grains, bulk, watch, .. } = self;
+        let (seconds, mut times) = watch.map_or_else(Default::default, |w| w.read());
+        times.probe = followers.iter().map(Follower::seconds).sum();
         let chains = followers.into_iter().map(Follower::finish).collect();
-        let seconds = began.map_or(0.0, |[first, last]| (last - first).as_secs_f64());
-        Probe { format: FORMAT.into(), ranks: ranks.max(1), seconds, chains, grains, bulk }
+        Probe { format: FORMAT.into(), ranks: ranks.max(1), seconds, times, chains, grains, bulk }
     }
 }

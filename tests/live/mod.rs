@@ -80,6 +80,7 @@ impl Scratch {
             "PATH",
             "LANES",
             "PROBE",
+            "FOLLOW",
             "STEPS",
             "TIMESTEP",
             "SHADOW",

@@ -192,7 +192,7 @@ fn ranks_add_up_and_files_read_back() {
         tags.iter().for_each(|t| feed(session.follower(at), &all, *t, t[0], |_| ()));
         session.finish()
     };
-    let tags: Vec<_> = (0..6).map(|k| [10 * k, 10 * k + 1]).collect();
+    let tags: Vec<_> = (0..4).map(|k| [10 * k, 10 * k + 1]).collect();
     let whole = session(&tags);
     let mut merged = session(&tags[..2]);
     let dir = tempfile::tempdir().unwrap();

@@ -23,6 +23,7 @@ struct Mode {
   std::string probe;  // path of the probe, empty for none
   bool shadow = false;  // whether every call is held against the Rust laws
   double tolerance = 0.0;  // largest difference allowed then
+  bool follow_all = false;  // whether the probe follows as many contacts as it has room for
   uint64_t steps = 0;  // of a probed run, 0 for all
   bool alarm = false;  // whether to say when the time step is too long
   std::string deck;
@@ -74,6 +75,9 @@ inline const Mode &mode() {
     };
     whole("GRANLAW_EVERY", m.every);
     whole("GRANLAW_STEPS", m.steps);
+    const std::string follow = get("GRANLAW_FOLLOW");
+    m.follow_all = follow == "all";
+    if (!follow.empty() && !m.follow_all) m.trouble = "GRANLAW_FOLLOW=" + follow + " must be all";
     return m;
   }();
   return m;

@@ -9,10 +9,11 @@
 
 extern "C" {
 struct granlaw_probe;
-granlaw_probe *granlaw_probe_new(void);
+// Follows a sample of the contacts, or as many as there is room for.
+granlaw_probe *granlaw_probe_new(bool all);
 granlaw_status granlaw_probe_chain(granlaw_probe *p, const granlaw_recorded_chain *chain, size_t *out);
-// Whether granlaw_probe_sample is due.
-bool granlaw_probe_tick(granlaw_probe *p, const granlaw_pass *pass);
+// A step begins, with a new neighbour list or not. Whether granlaw_probe_sample is due.
+bool granlaw_probe_tick(granlaw_probe *p, const granlaw_pass *pass, bool listed);
 granlaw_status granlaw_probe_sample(granlaw_probe *p, int64_t step, const granlaw_recorded_particles *particles);
 // Counts a contact; whether it is one of those that are followed.
 bool granlaw_probe_sees(granlaw_probe *p, size_t chain, const granlaw_pass *pass, const granlaw_surfaces_close_data *contact);
@@ -53,7 +54,7 @@ class Probe {
   void begin(const granlaw_pass &pass) {
     if (mode().steps && pass.step != last_ && ++seen_ > mode().steps + 1) enough();
     last_ = pass.step;
-    if (!granlaw_probe_tick(probe_, &pass)) return;
+    if (!granlaw_probe_tick(probe_, &pass, lmp_->neighbor->ago == 0)) return;
     const LAMMPS_NS::Atom *a = lmp_->atom;
     granlaw_recorded_particles p = {};
     if (a->nlocal > 0 && a->rmass)
@@ -78,7 +79,7 @@ class Probe {
   }
 
  private:
-  explicit Probe(LAMMPS *lmp) : probe_(granlaw_probe_new()), lmp_(lmp) {
+  explicit Probe(LAMMPS *lmp) : probe_(granlaw_probe_new(mode().follow_all)), lmp_(lmp) {
     if (mode().probe.empty()) return;
     // At the end of the run it would be too late to say that the file cannot be written.
     const std::string part = mode().probe + ".part";

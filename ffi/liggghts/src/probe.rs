@@ -22,8 +22,9 @@ fn over() -> Failure {
 }
 
 #[no_mangle]
-extern "C" fn granlaw_probe_new() -> *mut Probing {
-    Box::into_raw(Box::new(Probing { session: Some(Session::default()), ..Probing::default() }))
+extern "C" fn granlaw_probe_new(all: bool) -> *mut Probing {
+    let session = if all { Session::closely() } else { Session::default() };
+    Box::into_raw(Box::new(Probing { session: Some(session), ..Probing::default() }))
 }
 
 #[no_mangle]
@@ -44,10 +45,10 @@ unsafe extern "C" fn granlaw_probe_chain(
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_probe_tick(p: *mut Probing, pass: *const granlaw_pass) -> bool {
+unsafe extern "C" fn granlaw_probe_tick(p: *mut Probing, pass: *const granlaw_pass, listed: bool) -> bool {
     // SAFETY: the C++ half gives valid pointers.
     let (p, pass) = unsafe { (&mut *p, &*pass) };
-    p.session.as_mut().is_some_and(|s| s.tick(pass.step, pass.dt))
+    p.session.as_mut().is_some_and(|s| s.tick(pass.step, pass.dt, listed))
 }
 
 #[no_mangle]

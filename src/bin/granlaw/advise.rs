@@ -1,8 +1,9 @@
 //! `granlaw advise`: how simple a model a scene bears, and how large a step.
 use anyhow::{bail, Context};
-use granlaw::advise::check::{check, with, CheckError, Runner};
+use granlaw::advise::check::{check, with, CheckError, Deeds, Runner};
 use granlaw::advise::fresh::fresh;
 use granlaw::advise::rewrite::rewrite;
+use granlaw::advise::seeds::seeds;
 use granlaw::advise::{self, rules, Found, Options, Rung, Scene};
 use granlaw::deck::Deck;
 use granlaw::liggghts::{self, Host, Plugin};
@@ -26,6 +27,7 @@ use std::time::Duration;
   granlaw run --probe scene.json -- -in deck.in && granlaw advise scene.json
   granlaw advise scene.json --accuracy 0.05 --time-accuracy 0.5
   granlaw advise scenes/settling_box.in --check --held-out --out advice
+  granlaw advise scenes/hopper.in --check --seeds 16
   granlaw advise deck.in --check --advised by_hand.in
 
 Exit status: 0 there is advice, and it holds where it was held to something; 1 no model that was tried is within the
@@ -44,6 +46,10 @@ pub struct Args {
     /// Run the deck and the advised deck in full, and compare bulk observables and times: four runs.
     #[arg(long)]
     check: bool,
+    /// Run both decks so often, each time with another value of --fresh's variable, and compare means: one run cannot tell
+    /// what the advice does from chance.
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "check", value_parser = clap::value_parser!(u16).range(1..=200))]
+    seeds: u16,
     /// Largest difference of a bulk observable.
     #[arg(long, value_name = "PART", default_value_t = rules::BULK, value_parser = error)]
     bound: f64,
@@ -138,7 +144,7 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
     let limit = Duration::from_secs_f64(args.time_limit);
     let runner = Runner { host: &host, plugin: &plugin, deck: &deck, limit };
     eprintln!("granlaw: {} runs with a probe", deck.file());
-    let probe = runner.probe(&text)?;
+    let probe = runner.probe(&text, true)?;
     eprintln!("granlaw: models and steps are tried on its contacts");
     let (advice, scene) = advise::advise(&probe, options)?;
     let rung = advice.chosen.map(|k| advice.ladder[k].clone());
@@ -148,13 +154,18 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
     if args.held_out && !held_out {
         eprintln!("granlaw: nothing was tried, so there is nothing to hold fresh contacts against");
     }
-    let other = if held_out { Some(again(args, &runner, &text, &probe)?) } else { None };
-    if let Some(other) = &other {
-        let (name, value) = &args.fresh;
+    let (name, value) = &args.fresh;
+    // A deck that stays as it is has nothing to be compared with.
+    let stays = found.advice.lines.is_empty() && args.advised.is_none();
+    let many = if stays { 0 } else { usize::from(args.seeds) - 1 };
+    let values = seeds(value, many.max(usize::from(held_out))).map_err(anyhow::Error::msg)?;
+    let others = again(&runner, &text, &probe, (name, &values))?;
+    if let Some(other) = others.first().filter(|_| held_out) {
         let run = format!("{name}={value}");
         found.fresh = Some(fresh(&Scene::of(other)?, &scene, &rung, &run, &options)?);
     }
-    advised(args, &runner, &text, (&scene, &rung), (&probe, other.as_ref()), &mut found)?;
+    let did = Deeds { first: &probe, others: &others, variable: name, values: &values[..many] };
+    advised(args, &runner, &text, (&scene, &rung), did, &mut found)?;
     Ok((found, probe, about))
 }
 
@@ -162,15 +173,23 @@ fn read(path: &Path) -> anyhow::Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The probe of a run with other contacts.
-fn again(args: &Args, runner: &Runner<'_>, text: &str, first: &Probe) -> anyhow::Result<Probe> {
-    let (name, value) = &args.fresh;
-    eprintln!("granlaw: it runs again, with {name}={value}");
-    let other = runner.probe(&with(text, name, value))?;
-    if other.chains == first.chains {
+/// The probes of runs with other contacts.
+fn again(
+    runner: &Runner<'_>,
+    text: &str,
+    first: &Probe,
+    (name, values): (&str, &[String]),
+) -> anyhow::Result<Vec<Probe>> {
+    if values.is_empty() {
+        return Ok(Vec::new());
+    }
+    eprintln!("granlaw: it runs again, with {name}={}", values.join(", "));
+    let texts: Vec<_> = values.iter().map(|value| with(text, name, value)).collect();
+    let others = runner.probes(&texts, true)?;
+    if let Some((value, _)) = values.iter().zip(&others).find(|(_, o)| o.chains == first.chains) {
         return Err(CheckError::Same(format!("{name}={value}")).into());
     }
-    Ok(other)
+    Ok(others)
 }
 
 /// Makes the advised deck, and runs it if that is asked for.
@@ -179,7 +198,7 @@ fn advised(
     runner: &Runner<'_>,
     text: &str,
     (scene, rung): (&Scene, &Rung),
-    probes: (&Probe, Option<&Probe>),
+    did: Deeds<'_>,
     found: &mut Found,
 ) -> anyhow::Result<()> {
     let made = match &args.advised {
@@ -200,6 +219,6 @@ fn advised(
     eprintln!("granlaw: the advised deck runs with a probe, then both run without");
     // A deck that somebody names may do anything; whether it does right is what the check is for.
     let expected = Some(rung).filter(|_| args.advised.is_none());
-    found.check = Some(check(runner, (text, &made), probes, expected, args.bound)?);
+    found.check = Some(check(runner, (text, &made), did, expected, args.bound)?);
     Ok(())
 }
