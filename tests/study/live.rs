@@ -1,9 +1,11 @@
 //! LIGGGHTS itself: the settings raise its order, and it does what the maps say.
 use crate::built::{built, here};
+use granlaw::critical::rayleigh;
 use granlaw::liggghts::{Host, Plugin};
 use granlaw::study::live::{Bench, Who};
+use granlaw::study::shot::Shot;
 use granlaw::study::speed::{cases, Method, Truth};
-use granlaw::study::stability::{ask, choose, field, onset, Class, Place};
+use granlaw::study::stability::{ask, choose, field, onset, Class, Place, Row, Scene};
 use std::time::Duration;
 
 /// LIGGGHTS and the plugin of this source, or a skip that is seen.
@@ -74,6 +76,26 @@ fn liggghts_does_what_the_maps_say() {
         }
     }
     assert!(creates >= 6 && calm >= 6, "both sides of a border: {creates} {calm}");
+}
+
+/// Kinetic energy grows 75-fold at a fifth of the Rayleigh time, of which `fix check/timestep/gran` says nothing.
+#[test]
+fn energy_grows_75_fold_while_the_check_of_liggghts_is_silent() {
+    let Some(bench) = bench("energy_grows_75_fold_while_the_check_of_liggghts_is_silent") else { return };
+    let field = field("k2max").expect("a field");
+    let matter = field.rows[0].matter.clone().with("coefficientMaxElasticStiffness", 100.0);
+    let shot = Shot { speed: 2.0, ..field.rows[0].shots[0] };
+    let row = Row::new(100.0, matter, vec![shot], Scene::Impact);
+    let dt = 0.2 * rayleigh(shot.radius, shot.density, 5e6, 0.45);
+    assert!(dt <= row.warns * (1.0 + 1e-12), "the check is silent");
+    let before = row.before(32);
+    let steps = row.length(dt);
+    let theirs = bench.shoot(&row.matter, &row.shots, Who::Stock, (dt, steps), &before).unwrap();
+    let (ours, theirs) = (row.at(dt / row.unit(), 32).energy, row.judge(&theirs, 32).energy);
+    assert!((70.0..80.0).contains(&theirs), "{theirs}");
+    approx::assert_relative_eq!(ours, theirs, max_relative = 1e-6);
+    // A tenth of that step is fine.
+    assert!(row.at(0.1 * dt / row.unit(), 32).energy < 1.0);
 }
 
 /// Planted: LIGGGHTS asked about another stiffness than the map's does not agree.

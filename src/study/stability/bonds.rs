@@ -98,17 +98,16 @@ pub(super) fn plans(n: usize) -> Vec<Plan> {
         values,
         build,
     };
+    let zero = plan(
+        "bond-zero",
+        "bond: √δ at zero; pressed and stretched at ever lower speeds, ku = 2 k, undamped",
+        "speed [m/s]",
+        true,
+        values(1e-5, 1.0, half, true),
+        Box::new(|v| bonded(v, bond(UNLOADING, 0.0, &BOTH), blows(8, v, 2, |_| Way::Along), "tension", LONG)),
+    );
     vec![
-        plan(
-            "bond-zero",
-            "bond: √δ at zero; pressed and stretched at ever lower speeds, ku = 2 k, undamped",
-            "speed [m/s]",
-            true,
-            values(1e-5, 1.0, half, true),
-            Box::new(|v| {
-                bonded(v, bond(UNLOADING, 0.0, &BOTH), blows(8, v, 2, |_| Way::Along), "tension", LONG)
-            }),
-        ),
+        Plan { range: (0.004, 2.0), ..zero },
         plan(
             "bond-ku",
             "bond: stiffness of unloading, pressed and stretched, undamped",
