@@ -276,10 +276,14 @@ impl<L: Unit> Chunk<L> {
             let (f, torque) = (p.f.as_mut_ptr(), p.torque.as_mut_ptr());
             let mut i = self.pairs[0][0] as usize;
             let (mut fi, mut torque_i) = (*f.add(i), *torque.add(i));
-            for (b, of) in self.pairs[..self.n].chunks(L::WIDTH).enumerate() {
-                let s = &self.blocks[b].stage;
+            for b in 0..self.n.div_ceil(L::WIDTH) {
+                let s = &self.blocks.get_unchecked(b).stage;
                 let (force, on_i, on_j) = (rows(&s.force), rows(&s.torque_i), rows(&s.torque_j));
-                for (k, [next, j]) in of.iter().map(|pair| pair.map(|p| p as usize)).enumerate() {
+                for k in 0..L::WIDTH {
+                    if b * L::WIDTH + k >= self.n {
+                        break;
+                    }
+                    let [next, j] = self.pairs.get_unchecked(b * L::WIDTH + k).map(|p| p as usize);
                     if next != i {
                         (*f.add(i), *torque.add(i)) = (fi, torque_i);
                         i = next;
