@@ -163,7 +163,8 @@ impl<L: Unit + 'static> Pass<L> {
     fn fit(&mut self, p: &Particles<'_>) -> Result<(), Trouble> {
         for k in 0..self.chunk.len() {
             let (i, j, slot) = self.chunk.contact(k);
-            if !std::mem::replace(&mut self.fitted[slot], true) {
+            if !self.fitted[slot] {
+                self.fitted[slot] = true;
                 let pair = (p.kind[i] as usize - 1) * self.types + p.kind[j] as usize - 1;
                 let size = size(p, i, j);
                 if !size.meff.is_finite() {
