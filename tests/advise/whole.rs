@@ -71,6 +71,30 @@ fn an_advised_deck_is_checked_and_a_wrong_one_is_found_out() {
         .ends(2, &["sead=1 had the very contacts"]);
 }
 
+/// Half of a scene that is shipped: what is advised there holds in the whole scene and on fresh contacts, and what is not does not.
+#[test]
+fn a_shipped_scene_bears_its_advice_and_no_wrong_coefficient() {
+    if !live("a_shipped_scene_bears_its_advice_and_no_wrong_coefficient") {
+        return;
+    }
+    let s = Scratch::new();
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/elastic_gas.in");
+    let deck = fs::read_to_string(scene).unwrap().replace("run             40000", "run 20000");
+    assert!(deck.contains("run 20000"));
+    s.file("gas.in", &deck);
+    let check = ["advise", "gas.in", "--check", "--seeds", "2"];
+    s.granlaw(&[&check[..], &["--held-out", "--write-deck", "advised.in"]].concat())
+        .ends(0, &["no tangential law: predicted", "means of 2 runs each", "0 of 0 of lasting contacts"]);
+    let advised = s.read("advised.in");
+    assert!(advised.contains("pair_style gran model hertz\n") && !advised.contains("5e-6"), "{advised}");
+
+    // A gas that is not quite elastic cools.
+    let wrong = advised.replace("peratomtypepair 1 1.0", "peratomtypepair 1 0.95");
+    assert_ne!(wrong, advised);
+    s.file("wrong.in", &wrong);
+    s.granlaw(&[&check[..], &["--advised", "wrong.in"]].concat()).ends(1, &["x kinetic energy"]);
+}
+
 #[test]
 fn what_needs_a_deck_says_so() {
     let s = Scratch::new();

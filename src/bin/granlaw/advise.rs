@@ -159,7 +159,7 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
     let stays = found.advice.lines.is_empty() && args.advised.is_none();
     let many = if stays { 0 } else { usize::from(args.seeds) - 1 };
     let values = seeds(value, many.max(usize::from(held_out))).map_err(anyhow::Error::msg)?;
-    let others = again(&runner, &text, &probe, (name, &values))?;
+    let others = again(&runner, &text, &probe, (name, &values), held_out)?;
     if let Some(other) = others.first().filter(|_| held_out) {
         let run = format!("{name}={value}");
         found.fresh = Some(fresh(&Scene::of(other)?, &scene, &rung, &run, &options)?);
@@ -173,19 +173,21 @@ fn read(path: &Path) -> anyhow::Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The probes of runs with other contacts.
+/// The probes of runs with other contacts; those of the first are tried on the advice if they are `held_out`.
 fn again(
     runner: &Runner<'_>,
     text: &str,
     first: &Probe,
     (name, values): (&str, &[String]),
+    held_out: bool,
 ) -> anyhow::Result<Vec<Probe>> {
     if values.is_empty() {
         return Ok(Vec::new());
     }
     eprintln!("granlaw: it runs again, with {name}={}", values.join(", "));
     let texts: Vec<_> = values.iter().map(|value| with(text, name, value)).collect();
-    let others = runner.probes(&texts, true)?;
+    let (near, far) = texts.split_at(usize::from(held_out));
+    let others = [runner.probes(near, true)?, runner.probes(far, false)?].concat();
     if let Some((value, _)) = values.iter().zip(&others).find(|(_, o)| o.chains == first.chains) {
         return Err(CheckError::Same(format!("{name}={value}")).into());
     }
