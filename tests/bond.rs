@@ -12,3 +12,5 @@ mod points;
 mod turned;
 #[path = "bond/upstream.rs"]
 mod upstream;
+#[path = "bond/used.rs"]
+mod used;

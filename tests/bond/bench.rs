@@ -156,6 +156,14 @@ impl Driven {
         self.gap.i.v = Vector3::zeros();
     }
 
+    /// The part of its strength that the bond uses, as it is told to a probe.
+    pub fn used(&mut self) -> f64 {
+        let x = Contact { gap: self.gap, ..Contact::default() };
+        let mut used = f64::NAN;
+        self.chain.observe_each((0, 0), &x, &self.history, |_, terms| used = terms.load);
+        used
+    }
+
     /// What the law would answer elsewhere, without leave to write.
     pub fn query(&mut self, delta: Vector3<f64>) {
         let (x, call) = (self.gap.i.x, self.gap.call);
