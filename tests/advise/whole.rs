@@ -96,6 +96,23 @@ fn a_shipped_scene_bears_its_advice_and_no_wrong_coefficient() {
 }
 
 #[test]
+fn laws_without_a_twin_are_named_as_the_reason() {
+    if !live("laws_without_a_twin_are_named_as_the_reason") {
+        return;
+    }
+    let s = Scratch::new();
+    let own = ["kn", "kt", "gamman", "gammat"]
+        .map(|name| format!("fix {name} all property/global {name} peratomtypepair 1 10\n"))
+        .concat();
+    let deck = gas().replace(
+        "pair_style gran model hertz tangential history",
+        &(own + "pair_style gran model hooke/stiffness"),
+    );
+    s.file("stiff.in", &deck.replace("run 20000", "run 10"));
+    s.granlaw(&["advise", "stiff.in"]).ends(2, &["no contact could be counted", "granlaw laws"]);
+}
+
+#[test]
 fn what_needs_a_deck_says_so() {
     let s = Scratch::new();
     s.file("probe.json", "{\"format\": \"granlaw probe 2\"}");
