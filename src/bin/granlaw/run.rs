@@ -44,7 +44,7 @@ pub struct Args {
     /// Largest difference allowed, relative to the forces that the laws add up in a call. None is the claim, so 0 is the default.
     #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = crate::tolerance)]
     tolerance: f64,
-    /// Say once for each pair of types when the time step is too long for a contact, with the figures; contacts then go one by one.
+    /// Say once for each pair of types when the time step is too long for a contact or a bond, with the figures; contacts then go one by one.
     #[arg(long)]
     warn_timestep: bool,
     /// Run on N MPI ranks, with mpirun.

@@ -13,7 +13,8 @@ use std::time::Duration;
 /// LIGGGHTS runs the first steps of the deck with its own laws, in a folder of its own, and the plugin reads laws, coefficients and particles.
 /// For every pair of types and every wall: the longest stable step of each mode by linear theory, the longest at which
 /// no energy is created, and the longest at which the restitution of an impact is as accurate as asked for, found by
-/// trying; and what LIGGGHTS's own check of the step would say.
+/// trying; and what LIGGGHTS's own check of the step would say. Of bonds: the same for each of their modes, and with many bonds on
+/// every particle.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   granlaw timestep deck.in
