@@ -37,7 +37,7 @@ fn the_commands_of_use_it_work_as_written() {
         return;
     }
     let s = Scratch::new();
-    s.file("deck.in", &deck("oblique_stick.in", &[]));
+    s.file("deck.in", &deck("oblique_slip.in", &[]));
     s.file("liggghts_inputs/a.in", &deck("stiffness_ratio_1000.in", &[]));
     s.file("liggghts_inputs/b.in", &deck("stiffness_ratio_50.in", &[]));
     s.file("benchmarks/a.in", &deck("oblique_stick.in", &[]));
