@@ -49,9 +49,6 @@ pub enum CheckError {
     /// A run left no probe.
     #[error(transparent)]
     Probe(#[from] ProbeError),
-    /// A run left no probe, because there was nothing that the plugin could see.
-    #[error("no contact could be counted: the pair style has no law that granlaw has a twin of (granlaw laws lists them)")]
-    Unseen,
     /// The advised deck cannot be made from the deck.
     #[error(transparent)]
     Rewrite(#[from] RewriteError),
@@ -88,9 +85,6 @@ impl Runner<'_> {
         let path = folder.path().join("granlaw-probe.json");
         let preload = Preload { laws: Laws::Stock, probe: Some(path.clone()), closely, ..self.preload() };
         folder.run(self.host, self.deck, Some(&preload), self.limit)?;
-        if !path.exists() {
-            return Err(CheckError::Unseen);
-        }
         Ok(Probe::read(&path)?)
     }
 

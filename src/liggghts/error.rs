@@ -160,6 +160,7 @@ impl Said {
                     (_, code) => format!("LIGGGHTS ended with status {}", code.unwrap_or(-1)),
                 };
                 let said = [&self.out, &self.err, &self.log].into_iter().find_map(|t| own_error(t));
+                let said = said.or_else(|| plugins_error(&self.err));
                 let message = said.unwrap_or_else(|| format!("{how} and gave no reason"));
                 Err(RunError::Failed { deck: name, at, message, log })
             }
@@ -198,6 +199,11 @@ fn own_error(text: &str) -> Option<String> {
         more[..=end].iter().for_each(|l| message = format!("{message} {l}"));
     }
     Some(message)
+}
+
+/// What the plugin says where it ends a run that LIGGGHTS thinks well of.
+fn plugins_error(err: &str) -> Option<String> {
+    err.lines().find_map(|l| l.strip_prefix("granlaw: ")).map(str::to_string)
 }
 
 /// The last command of the deck that the log repeats: its line and its text.
@@ -262,5 +268,7 @@ mod tests {
         let two = "ERROR on proc 0: Could not\nfind it (./src/fix.cpp:1)\n";
         assert_eq!(own_error(two).unwrap(), "ERROR on proc 0: Could not find it (./src/fix.cpp:1)");
         assert_eq!(own_error("fine\n"), None);
+        let ours = "a warning\ngranlaw: no probe was written\n";
+        assert_eq!(plugins_error(ours).unwrap(), "no probe was written");
     }
 }

@@ -110,6 +110,9 @@ fn laws_without_a_twin_are_named_as_the_reason() {
     );
     s.file("stiff.in", &deck.replace("run 20000", "run 10"));
     s.granlaw(&["advise", "stiff.in"]).ends(2, &["no contact could be counted", "granlaw laws"]);
+    let probe = s.granlaw(&["run", "--probe", "stiff.json", "--", "-in", "stiff.in"]);
+    probe.ends(2, &["no probe was written", "granlaw laws"]);
+    assert!(!s.path("stiff.json").exists());
 }
 
 #[test]

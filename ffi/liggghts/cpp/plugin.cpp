@@ -159,6 +159,7 @@ struct Start {
     register_names();
     register_chains();
     if (mode().shadow && in_liggghts()) Shadow::judge_the_end();
+    if (!mode().probe.empty() && in_liggghts()) Probe::judge_the_end();
   }
 } start;
 

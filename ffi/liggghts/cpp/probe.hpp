@@ -44,6 +44,17 @@ class Probe {
     return one;
   }
 
+  // A run that LIGGGHTS ends well without a probe does not end well for who asked for one.
+  static void judge_the_end() {
+    on_exit([](int status, void *) {
+      if (status != 0 || made()) return;
+      fprintf(stderr, "granlaw: no probe was written, as no contact could be counted: no pair style or wall of the deck has a law that "
+                      "granlaw has a twin of (granlaw laws lists them)\n");
+      fflush(nullptr);
+      _exit(2);
+    }, nullptr);
+  }
+
   size_t chain(const granlaw_recorded_chain &chain) {
     size_t at = 0;
     check(granlaw_probe_chain(probe_, &chain, &at));
@@ -80,6 +91,7 @@ class Probe {
 
  private:
   explicit Probe(LAMMPS *lmp) : probe_(granlaw_probe_new(mode().follow_all)), lmp_(lmp) {
+    made() = true;
     if (mode().probe.empty()) return;
     // At the end of the run it would be too late to say that the file cannot be written.
     const std::string part = mode().probe + ".part";
@@ -87,6 +99,11 @@ class Probe {
     if (!lmp->comm->me && !file) lmp->error->one(GRANLAW_HERE, ("granlaw cannot write the probe " + part).c_str());
     if (file) fclose(file);
     at_the_end(&Probe::finish, this);
+  }
+
+  static bool &made() {
+    static bool is = false;
+    return is;
   }
 
   static int finish(MPI_Comm, int, void *self, void *) {
