@@ -170,7 +170,8 @@ fn measured(c: &crate::probe::Contacts, law: &str) -> String {
         shares().flat_map(|s| s.branches.iter()).filter(|(b, _)| wanted(b)).map(|(_, t)| t).sum()
     };
     let (all, idle) = (branch(&|_| true), branch(&|b| b == "unbonded"));
-    let used = c.pairs.iter().filter_map(|p| p.load.range()).map(|(_, most)| most).fold(0.0, f64::max);
+    let loads = c.pairs.iter().flat_map(|p| [&p.load, &p.gaps.load]);
+    let used = loads.filter_map(|load| load.range()).map(|(_, most)| most).fold(0.0, f64::max);
     let impulse: f64 = shares().map(|s| s.impulse).sum();
     let whole: f64 = c.pairs.iter().flat_map(|p| &p.laws).map(|s| s.impulse).sum();
     let share = |x: f64, of: f64| if of > 0.0 { lines::percent(x / of) } else { lines::percent(0.0) };

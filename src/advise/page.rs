@@ -177,12 +177,13 @@ fn classes(found: &Found) -> Section {
 type Of = fn(&TypePair) -> &Histogram;
 
 fn contacts(probe: &Probe) -> Section {
-    let all: [(&str, &str, Of); 6] = [
+    let all: [(&str, &str, Of); 7] = [
         ("impact speed", "normal speed at first touch [m/s]", |p| &p.impact_speed),
         ("restitution", "normal speed after over before", |p| &p.restitution),
         ("overlap", "largest overlap of a contact, over R*", |p| &p.overlap),
         ("duration", "steps that a contact lasted", |p| &p.steps),
         ("limit", "largest use of a law's own limit, such as δmax/δlim", |p| &p.load),
+        ("bonds", "use of its limit by a bond across a gap, in each step", |p| &p.gaps.load),
         ("friction", "tangential over normal force", |p| &p.friction),
     ];
     let chains = probe.principal();

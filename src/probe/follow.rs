@@ -4,7 +4,7 @@ use super::tally::{Fastest, LawShare, TypePair};
 use super::work::Motion;
 use super::{Call, Contacts};
 use crate::chain::Chain;
-use crate::law::{Kind, Stage};
+use crate::law::{Contact, Gap, Kind, Reach, Stage};
 use crate::laws::prop;
 use crate::trace::Header;
 use nalgebra::Vector3;
@@ -35,6 +35,8 @@ pub struct Follower {
     /// The laws, if granlaw has all of them, and their kinds.
     chain: Option<Chain>,
     kinds: Vec<Kind>,
+    /// Which of them act across gaps.
+    beyond: Vec<bool>,
     /// Coefficient of friction of each pair of types; infinite where there is none.
     mu: Vec<f64>,
     /// Where the types of a call are in `contacts.pairs`.
@@ -62,7 +64,9 @@ impl Follower {
     /// For the chain of a header, with at most `most` contacts followed at a time.
     pub fn new(header: Header, most: usize) -> Follower {
         let chain = header.chain().ok();
-        let kinds = chain.iter().flat_map(Chain::laws).map(|m| m.kind).collect();
+        let laws = || chain.iter().flat_map(Chain::laws);
+        let kinds = laws().map(|m| m.kind).collect();
+        let beyond = laws().map(|m| m.reach == Reach::Beyond).collect();
         let friction = header.laws.iter().flat_map(|l| &l.properties).find(|p| p.name == prop::FRICTION.name);
         let none = vec![f64::INFINITY; header.types * header.types];
         // Without friction nothing slips in its sense.
@@ -77,6 +81,7 @@ impl Follower {
             contacts,
             chain,
             kinds,
+            beyond,
             mu,
             places,
             live,
@@ -146,6 +151,30 @@ impl Follower {
         self.seconds += begun.elapsed().as_secs_f64().min(LONGEST) * TIMED as f64;
     }
 
+    /// Surfaces do not overlap, in a call of this chain that may write history, with the history before it: what laws that act
+    /// across gaps bear is counted, of the pairs that are followed.
+    pub fn across(&mut self, types: (usize, usize), gap: &Gap, before: &[f64]) {
+        let share = self.contacts.share;
+        let Some(chain) = self.chain.as_mut().filter(|_| drawn((gap.i.tag, gap.j.tag), share)) else {
+            return;
+        };
+        let mut load = 0.0f64;
+        let beyond = &self.beyond;
+        let x = Contact { gap: *gap, ..Contact::default() };
+        chain.observe_each(types, &x, &before[..chain.row()], |k, t| {
+            if beyond[k] {
+                load = load.max(t.load);
+            }
+        });
+        // No bond, or one that bears nothing.
+        if load > 0.0 {
+            let at = self.place(types, gap.call.is_wall);
+            let gaps = &mut self.contacts.pairs[at].gaps;
+            gaps.time += gap.call.dt * share as f64;
+            gaps.load.add(load, share);
+        }
+    }
+
     fn follow(&mut self, call: &Call<'_>) {
         let g = &call.contact.gap;
         let (i, j, place) = (g.i.tag, g.j.tag, call.place);
@@ -157,7 +186,7 @@ impl Follower {
                 return;
             }
         }
-        let at = self.place(call);
+        let at = self.place(call.types, g.call.is_wall);
         let mu = self.mu[call.types.0 * self.contacts.header.types + call.types.1];
         let pair = &mut self.contacts.pairs[at];
         let (step, share) = (g.call.step, self.contacts.share);
@@ -212,12 +241,11 @@ impl Follower {
         (self.touching / 4).clamp(self.few, self.most.max(self.few))
     }
 
-    fn place(&mut self, call: &Call<'_>) -> usize {
-        let (n, (i, j)) = (self.contacts.header.types, call.types);
+    fn place(&mut self, (i, j): (usize, usize), wall: bool) -> usize {
+        let n = self.contacts.header.types;
         if let Some(at) = self.places[i * n + j] {
             return at;
         }
-        let wall = call.contact.gap.call.is_wall;
         let (low, high) = if wall { (i, j) } else { (i.min(j), i.max(j)) };
         let at = self.contacts.pairs.len();
         let name = |l: &crate::trace::LawSpec| format!("{} {}", l.kind, l.keyword);

@@ -22,7 +22,7 @@ pub use follow::{Follower, FOLLOWED};
 pub use grains::Grains;
 pub use histogram::{Bin, Histogram};
 pub use session::{Particles, Session};
-pub use tally::{Branches, Counts, Directions, Fastest, Impulse, LawShare, TypePair};
+pub use tally::{Branches, Counts, Directions, Fastest, Gaps, Impulse, LawShare, TypePair};
 pub use times::Times;
 
 use crate::law::Contact;

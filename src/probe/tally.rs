@@ -42,10 +42,24 @@ pub struct TypePair {
     pub tension: Histogram,
     /// Tangential over normal force, once per contact and step.
     pub friction: Histogram,
+    /// Bonds across gaps.
+    #[serde(default)]
+    pub gaps: Gaps,
     /// Contacts seen whole that ended within a few contact times, by impact speed and slip.
     pub impacts: Vec<Class<Impact>>,
     /// Contacts that lasted, by mean load.
     pub pressed: Vec<Class<Pressed>>,
+}
+
+/// What is borne while surfaces do not overlap, by laws that act across gaps.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Gaps {
+    /// Time of all bonds together \[s\].
+    pub time: f64,
+    /// Use of the law's limit, such as the stress of a bond over its strength, once per bond and step; a bond that breaks
+    /// comes to 1 or more.
+    pub load: Histogram,
 }
 
 /// How contacts began and ended.
@@ -219,6 +233,8 @@ impl TypePair {
         self.fastest.meet(o.fastest);
         let (mine, others) = (self.histograms_mut(), o.histograms());
         mine.into_iter().zip(others).for_each(|(a, b)| a.merge(b));
+        self.gaps.time += o.gaps.time;
+        self.gaps.load.merge(&o.gaps.load);
         o.impacts.into_iter().for_each(|c| examples::merge(&mut self.impacts, c));
         o.pressed.into_iter().for_each(|c| examples::merge(&mut self.pressed, c));
     }

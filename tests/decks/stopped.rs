@@ -80,8 +80,8 @@ fn a_run_that_hangs_is_stopped_with_all_that_it_started() {
     let two =
         [("# granlaw: title", "# granlaw: ranks 2\n# granlaw: title"), (RUN, "run             2000000000")];
     s.file("in/endless.in", &deck(HEAD_ON, &two));
-    let ended = s.granlaw(&["verify", "in", "--out", "out", "--time-limit", "20"]);
-    ended.ends(2, &["stopped after the time limit of 20 s", "raise --time-limit"]);
+    let ended = s.granlaw(&["verify", "in", "--out", "out", "--time-limit", "40"]);
+    ended.ends(2, &["stopped after the time limit of 40 s", "raise --time-limit"]);
     assert_eq!(s.left(), [""; 0]);
     let report = report(&s.path("out"));
     let why = |name| outcome(case(&report, name), "stock run").1.to_string();

@@ -41,6 +41,9 @@ fn retraced(session: &mut Session, trace: &Path) {
     let mut row = Row::default();
     while reader.read(&mut row).expect("a row") {
         let follower = session.follower(at);
+        if !row.touch && row.gap.call.update {
+            follower.across(row.types, &row.gap, &row.before);
+        }
         if !row.touch || !follower.sees((row.gap.i.tag, row.gap.j.tag)) || !row.gap.call.update {
             continue;
         }
@@ -88,6 +91,33 @@ fn a_probe_says_what_the_trace_says() {
         place.run(deck, &["--probe", "probe.json"]);
         assert!(place.probe().chains[0].pairs != traced.chains[0].pairs, "{deck}");
     }
+}
+
+#[test]
+fn bonds_across_gaps_tell_how_much_of_their_strength_they_use() {
+    if !liggghts("bonds_across_gaps_tell_how_much_of_their_strength_they_use") {
+        return;
+    }
+    let deck = "bond_breaks_at_a_stress.in";
+    let place = Place::new(deck);
+    place.run(deck, &["--record", "calls.csv", "--probe", "probe.json"]);
+    let mut session = Session::default();
+    retraced(&mut session, &place.file("calls.csv"));
+    session.finish().write(&place.file("traced.json")).expect("a file");
+    let gaps = place.probe().chains[0].pairs[0].gaps.clone();
+    assert!(gaps == Probe::read(&place.file("traced.json")).expect("a probe").chains[0].pairs[0].gaps);
+    // Pulled until it breaks, it uses all of its strength in the end, and less before.
+    let (low, high) = gaps.load.range().expect("a bond");
+    assert!(gaps.load.count() > 10 && low < 0.5 && (1.0..1.1).contains(&high), "{low} {high}");
+    // Twice as strong, it breaks at the same part of it, later.
+    let text = std::fs::read_to_string(place.file(deck)).unwrap();
+    let strength = text.lines().find(|l| l.contains("maxSigmaBondnonlinear")).expect("a strength");
+    let sigma = strength.split_whitespace().last().unwrap().parse::<f64>().unwrap();
+    let stronger = strength.replace(strength.split_whitespace().last().unwrap(), &format!("{}", 2.0 * sigma));
+    std::fs::write(place.file(deck), text.replace(strength, &stronger)).unwrap();
+    place.run(deck, &["--probe", "probe.json"]);
+    let later = place.probe().chains[0].pairs[0].gaps.clone();
+    assert!(later.time > 1.2 * gaps.time, "{} {}", later.time, gaps.time);
 }
 
 #[test]

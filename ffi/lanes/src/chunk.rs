@@ -284,7 +284,8 @@ impl<L: Unit> Chunk<L> {
                         break;
                     }
                     let [next, j] = self.pairs.get_unchecked(b * L::WIDTH + k).map(|p| p as usize);
-                    if next != i {
+                    // One lane alone does not wait to learn whether it is the same particle.
+                    if L::WIDTH == 1 || next != i {
                         (*f.add(i), *torque.add(i)) = (fi, torque_i);
                         i = next;
                         (fi, torque_i) = (*f.add(i), *torque.add(i));

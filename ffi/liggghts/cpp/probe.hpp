@@ -20,6 +20,8 @@ bool granlaw_probe_sees(granlaw_probe *p, size_t chain, const granlaw_pass *pass
 // What came of it: wanted of all walls and of followed contacts. `place` tells apart meshes that number their triangles alike.
 granlaw_status granlaw_probe_call(granlaw_probe *p, size_t chain, const granlaw_recorded_call *call, size_t place,
                                   bool followed);
+// Surfaces that do not overlap.
+granlaw_status granlaw_probe_across(granlaw_probe *p, size_t chain, const granlaw_recorded_call *call);
 // Whether the time step is too long for a contact of the chain; once for each pair of types.
 bool granlaw_probe_alarm(granlaw_probe *p, size_t chain, granlaw_text *out);
 // The same of the bonds that the particles can have; once for each pair of types, again until there is none.
@@ -88,6 +90,8 @@ class Probe {
     granlaw_text text = {};
     if (mode().alarm && granlaw_probe_alarm(probe_, chain, &text)) warn(std::string(text.bytes, text.length));
   }
+
+  void across(size_t chain, const granlaw_recorded_call &call) { check(granlaw_probe_across(probe_, chain, &call)); }
 
  private:
   explicit Probe(LAMMPS *lmp) : probe_(granlaw_probe_new(mode().follow_all)), lmp_(lmp) {

@@ -73,7 +73,7 @@ class Watch {
     if (recording_ || shadow_ || followed_) keep(s);
   }
   void before(SurfacesCloseData &s) {
-    if (recording_ || shadow_) keep(s);
+    if (on_) keep(s);
   }
   void touched(SurfacesIntersectData &s, ForceData &i, ForceData &j) {
     if (shadow_) shadow_->call(shadowed_, call(s, true, i, j));
@@ -82,14 +82,16 @@ class Watch {
     if (recording_) write(s, true, i, j);
   }
   void parted(SurfacesCloseData &s, ForceData &i, ForceData &j) {
-    if (!recording_ && !shadow_) return;
+    if (!on_) return;
     if (s.is_wall) look();
     s.omega_i = lmp_->atom->omega[s.i];
     if (!s.is_wall) s.omega_j = lmp_->atom->omega[s.j];
     // LIGGGHTS hands the larger struct through a reference to its base.
     SurfacesIntersectData &whole = static_cast<SurfacesIntersectData &>(s);
     if (shadow_) shadow_->call(shadowed_, call(whole, false, i, j));
-    if (recording_ && mine(s)) write(whole, false, i, j);
+    if (!mine(s)) return;
+    if (probe_) probe_->across(probed_, call(whole, false, i, j));
+    if (recording_) write(whole, false, i, j);
   }
 
  private:

@@ -4,7 +4,7 @@ use crate::text::Text;
 use granlaw::probe::{Call, Particles, Probe, Session};
 use granlaw::trace::Handed;
 use granlaw_capi::abi::{granlaw_pass, granlaw_status, granlaw_surfaces_close_data};
-use granlaw_capi::convert::{contact, slice};
+use granlaw_capi::convert::{contact, parted, slice};
 use granlaw_capi::status::{boundary, Failure};
 use std::ffi::c_char;
 use std::path::Path;
@@ -128,6 +128,28 @@ unsafe extern "C" fn granlaw_probe_call(
             torque_i: fi.delta_torque.into(),
             torque_j: fj.delta_torque.into(),
         });
+        Ok(())
+    })
+}
+
+#[no_mangle]
+unsafe extern "C" fn granlaw_probe_across(
+    p: *mut Probing,
+    chain: usize,
+    c: *const RecordedCall,
+) -> granlaw_status {
+    boundary(|| {
+        // SAFETY: the C++ half gives valid pointers.
+        let (p, c) = unsafe { (&mut *p, &*c) };
+        // SAFETY: as above; of a gap the part that is common to gaps and contacts is set.
+        let (pass, s) = unsafe { (&*c.pass, &(*c.contact).close) };
+        let follower = p.session.as_mut().ok_or_else(over)?.follower(chain);
+        if s.computeflag == 0 || s.shearupdate == 0 {
+            return Ok(());
+        }
+        // SAFETY: the gap is LIGGGHTS's own and matches the pass; the history has as many numbers as slots.
+        let (gap, before) = unsafe { (parted(pass, s, [c.mi, c.mj]), slice(c.before, p.slots[chain])) };
+        follower.across((s.itype as usize - 1, s.jtype as usize - 1), &gap, before);
         Ok(())
     })
 }
