@@ -120,6 +120,9 @@ pub enum AdviceError {
          exchanged; advice needs {:.0} % of both; probe a longer run", 100.0 * .0, 100.0 * .1, 100.0 * rules::COVERED
     )]
     Covered(f64, f64),
+    /// Contacts that the probe could not count.
+    #[error("the contacts of {} were not seen, as granlaw has a twin of none of their laws (granlaw laws lists them), so that nothing can be said of them", .0.join(", "))]
+    Unseen(Vec<String>),
     /// A law is not ours.
     #[error("what the contacts do is known, but simpler models cannot be tried: {0}")]
     Laws(#[from] HeaderError),
@@ -130,6 +133,9 @@ pub enum AdviceError {
 /// # Errors
 /// There is nothing to advise on, or the laws are not granlaw's.
 pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), AdviceError> {
+    if !probe.unseen.is_empty() {
+        return Err(AdviceError::Unseen(probe.unseen.clone()));
+    }
     let calls: u64 = probe.chains.iter().map(|c| c.calls).sum();
     if calls == 0 {
         return Err(AdviceError::NoContact);

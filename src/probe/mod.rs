@@ -51,6 +51,9 @@ pub struct Probe {
     pub times: Times,
     /// The pair style and each wall fix; once more where a deck changes laws, coefficients or time step.
     pub chains: Vec<Contacts>,
+    /// `pair`, and `wall ID` of wall fixes, whose contacts were not counted, as granlaw has a twin of none of their laws.
+    #[serde(default)]
+    pub unseen: Vec<String>,
     /// The particles by type.
     #[serde(default)]
     pub grains: Vec<Grains>,
@@ -143,6 +146,9 @@ impl Probe {
                 None => self.chains.push(chain),
             }
         }
+        self.unseen.extend(other.unseen);
+        self.unseen.sort();
+        self.unseen.dedup();
         grains::merge(&mut self.grains, &other.grains);
         self.bulk.merge(other.bulk);
         self.seconds = self.seconds.max(other.seconds);

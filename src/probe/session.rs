@@ -14,6 +14,7 @@ pub struct Session {
     all: bool,
     ranks: usize,
     grains: Vec<Grains>,
+    unseen: Vec<String>,
     bulk: Bulk,
     clock: Clock,
     /// From the first step on.
@@ -58,6 +59,11 @@ impl Session {
             self.followers.push(if self.all { follower.closely() } else { follower });
             self.followers.len() - 1
         })
+    }
+
+    /// The contacts of this pair style or wall fix cannot be counted.
+    pub fn unseen(&mut self, who: &str) {
+        self.unseen.push(who.into());
     }
 
     /// The follower of a chain.
@@ -105,10 +111,11 @@ impl Session {
 
     /// The run is over.
     pub fn finish(self) -> Probe {
-        let Session { followers, ranks, grains, bulk, watch, .. } = self;
+        let Session { followers, ranks, grains, unseen, bulk, watch, .. } = self;
         let (seconds, mut times) = watch.map_or_else(Default::default, |w| w.read());
         times.probe = followers.iter().map(Follower::seconds).sum();
         let chains = followers.into_iter().map(Follower::finish).collect();
-        Probe { format: FORMAT.into(), ranks: ranks.max(1), seconds, times, chains, grains, bulk }
+        let (format, ranks) = (FORMAT.into(), ranks.max(1));
+        Probe { format, ranks, seconds, times, chains, unseen, grains, bulk }
     }
 }

@@ -1,6 +1,6 @@
 //! `granlaw advise` on a deck: the advised deck runs, its bulk observables are compared, fresh contacts are tried, and
 //! what is wrong is seen.
-use crate::live::{live, Scratch};
+use crate::live::{deck, live, Scratch};
 use std::fs;
 
 /// A gas of 216 spheres that cools: the smallest scene with thousands of impacts.
@@ -104,15 +104,24 @@ fn laws_without_a_twin_are_named_as_the_reason() {
     let own = ["kn", "kt", "gamman", "gammat"]
         .map(|name| format!("fix {name} all property/global {name} peratomtypepair 1 10\n"))
         .concat();
-    let deck = gas().replace(
+    let stiff = gas().replace(
         "pair_style gran model hertz tangential history",
-        &(own + "pair_style gran model hooke/stiffness"),
+        &format!("{own}pair_style gran model hooke/stiffness"),
     );
-    s.file("stiff.in", &deck.replace("run 20000", "run 10"));
+    s.file("stiff.in", &stiff.replace("run 20000", "run 10"));
     s.granlaw(&["advise", "stiff.in"]).ends(2, &["no contact could be counted", "granlaw laws"]);
     let probe = s.granlaw(&["run", "--probe", "stiff.json", "--", "-in", "stiff.in"]);
     probe.ends(2, &["no probe was written", "granlaw laws"]);
     assert!(!s.path("stiff.json").exists());
+    // Only the wall: it is named, and there is no advice on a scene of which a part was not seen.
+    let rich =
+        "fix             floor all wall/gran model hooke/hysteresis tangential history rolling_friction cdt";
+    let simple = format!("{own}fix floor all wall/gran model hooke/stiffness");
+    s.file("floor.in", &deck("primitive_wall.in", &[(rich, &simple)]));
+    s.granlaw(&["run", "--probe", "floor.json", "--", "-in", "floor.in"])
+        .ends(0, &["fix floor are not in the probe"]);
+    assert!(s.read("floor.json").contains("wall floor"));
+    s.granlaw(&["advise", "floor.json"]).ends(2, &["contacts of wall floor were not seen"]);
 }
 
 #[test]

@@ -3,7 +3,9 @@
 #define GRANLAW_PROBE_HPP
 
 #include <unistd.h>
+#include <set>
 #include "gather.hpp"
+#include "host.hpp"
 #include "modes.hpp"
 #include "recorder.hpp"
 
@@ -12,6 +14,8 @@ struct granlaw_probe;
 // Follows a sample of the contacts, or as many as there is room for.
 granlaw_probe *granlaw_probe_new(bool all);
 granlaw_status granlaw_probe_chain(granlaw_probe *p, const granlaw_recorded_chain *chain, size_t *out);
+// The contacts of a pair style or wall fix that cannot be counted.
+void granlaw_probe_unseen(granlaw_probe *p, const char *who);
 // A step begins, with a new neighbour list or not. Whether granlaw_probe_sample is due.
 bool granlaw_probe_tick(granlaw_probe *p, const granlaw_pass *pass, bool listed);
 granlaw_status granlaw_probe_sample(granlaw_probe *p, int64_t step, const granlaw_recorded_particles *particles);
@@ -60,6 +64,7 @@ class Probe {
   size_t chain(const granlaw_recorded_chain &chain) {
     size_t at = 0;
     check(granlaw_probe_chain(probe_, &chain, &at));
+    known_.insert(chain.who);
     return at;
   }
 
@@ -67,6 +72,7 @@ class Probe {
   void begin(const granlaw_pass &pass) {
     if (mode().steps && pass.step != last_ && ++seen_ > mode().steps + 1) enough();
     last_ = pass.step;
+    if (!mode().probe.empty() && lmp_->neighbor->ago == 0) look_for_others();
     if (!granlaw_probe_tick(probe_, &pass, lmp_->neighbor->ago == 0)) return;
     const LAMMPS_NS::Atom *a = lmp_->atom;
     granlaw_recorded_particles p = {};
@@ -112,12 +118,24 @@ class Probe {
 
   static int finish(MPI_Comm, int, void *self, void *) {
     granlaw_text mine = {nullptr, 0};
-    granlaw_status status = granlaw_probe_pack(static_cast<Probe *>(self)->probe_, &mine);
+    Probe *const probe = static_cast<Probe *>(self);
+    if (!probe->known_.count("pair")) granlaw_probe_unseen(probe->probe_, "pair");
+    granlaw_status status = granlaw_probe_pack(probe->probe_, &mine);
     const Gathered all(mine);
     if (!all.texts().empty() && status == GRANLAW_OK)
       status = granlaw_probe_write(mode().probe.c_str(), all.texts().data(), all.texts().size());
     if (status != GRANLAW_OK) fprintf(stderr, "granlaw: %s\n", granlaw_last_error());
     return MPI_SUCCESS;
+  }
+
+  // Walls without any law of ours have chains of LIGGGHTS's own, which nobody sees.
+  void look_for_others() {
+    for (int k = 0; k < lmp_->modify->nfix; k++) {
+      const auto *wall = dynamic_cast<LAMMPS_NS::FixWallGran *>(lmp_->modify->fix[k]);
+      if (!wall || !known_.insert(std::string("wall ") + wall->id).second) continue;
+      granlaw_probe_unseen(probe_, (std::string("wall ") + wall->id).c_str());
+      warn("the contacts of fix " + std::string(wall->id) + " are not in the probe, as granlaw has a twin of none of its laws");
+    }
   }
 
   // LIGGGHTS prints warnings on the first rank only.
@@ -139,6 +157,7 @@ class Probe {
 
   granlaw_probe *probe_;
   LAMMPS *lmp_;
+  std::set<std::string> known_;  // pair style and walls, seen or told to be unseen
   int64_t last_ = INT64_MIN;
   uint64_t seen_ = 0;  // steps, the set-up among them
 };

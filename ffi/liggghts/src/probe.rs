@@ -45,6 +45,15 @@ unsafe extern "C" fn granlaw_probe_chain(
 }
 
 #[no_mangle]
+unsafe extern "C" fn granlaw_probe_unseen(p: *mut Probing, who: *const c_char) {
+    // SAFETY: the C++ half gives valid pointers.
+    let (p, who) = unsafe { (&mut *p, text(who)) };
+    if let Some(session) = &mut p.session {
+        session.unseen(&who);
+    }
+}
+
+#[no_mangle]
 unsafe extern "C" fn granlaw_probe_tick(p: *mut Probing, pass: *const granlaw_pass, listed: bool) -> bool {
     // SAFETY: the C++ half gives valid pointers.
     let (p, pass) = unsafe { (&mut *p, &*pass) };
