@@ -34,7 +34,7 @@ pub(crate) struct Chunk<L> {
     pairs: [[u32; 2]; CHUNK],
     /// From j to i \[m\].
     delta: [[f64; CHUNK]; 3],
-    /// Numbers of the neighbours, all rows of the list counted through; for a while as floating numbers.
+    /// Numbers of the neighbours, all rows of the list counted through, and the same as wide as lanes, as the search leaves them.
     slot: [u32; CHUNK],
     number: [u64; CHUNK],
     /// Rows of history, and flags.

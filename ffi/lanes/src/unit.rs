@@ -17,17 +17,17 @@ pub(crate) trait Unit: Lane {
         work()
     }
 
-    /// The numbers from here on, one per lane; they need not be aligned.
+    /// The numbers from here on, one per lane.
     ///
     /// # Safety
     /// They can be read.
     #[inline(always)]
     unsafe fn load(from: *const f64) -> Self {
         // SAFETY: as the caller promises.
-        Self::from_fn(|k| unsafe { from.add(k).read_unaligned() })
+        Self::from_fn(|k| unsafe { *from.add(k) })
     }
 
-    /// Write the lanes from here on; the place need not be aligned.
+    /// Write the lanes from here on.
     ///
     /// # Safety
     /// They can be written.
@@ -35,7 +35,7 @@ pub(crate) trait Unit: Lane {
     unsafe fn store(self, to: *mut f64) {
         for k in 0..Self::WIDTH {
             // SAFETY: as the caller promises.
-            unsafe { to.add(k).write_unaligned(self.lane(k)) };
+            unsafe { *to.add(k) = self.lane(k) };
         }
     }
 

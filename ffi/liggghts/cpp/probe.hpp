@@ -72,8 +72,9 @@ class Probe {
   void begin(const granlaw_pass &pass) {
     if (mode().steps && pass.step != last_ && ++seen_ > mode().steps + 1) enough();
     last_ = pass.step;
-    if (!mode().probe.empty() && lmp_->neighbor->ago == 0) look_for_others();
-    if (!granlaw_probe_tick(probe_, &pass, lmp_->neighbor->ago == 0)) return;
+    const bool listed = lmp_->neighbor->ago == 0;
+    if (listed && !mode().probe.empty()) look_for_others();
+    if (!granlaw_probe_tick(probe_, &pass, listed)) return;
     const LAMMPS_NS::Atom *a = lmp_->atom;
     granlaw_recorded_particles p = {};
     if (a->nlocal > 0 && a->rmass)
@@ -132,8 +133,9 @@ class Probe {
   void look_for_others() {
     for (int k = 0; k < lmp_->modify->nfix; k++) {
       const auto *wall = dynamic_cast<LAMMPS_NS::FixWallGran *>(lmp_->modify->fix[k]);
-      if (!wall || !known_.insert(std::string("wall ") + wall->id).second) continue;
-      granlaw_probe_unseen(probe_, (std::string("wall ") + wall->id).c_str());
+      const std::string who = wall ? std::string("wall ") + wall->id : "";
+      if (!wall || !known_.insert(who).second) continue;
+      granlaw_probe_unseen(probe_, who.c_str());
       warn("the contacts of fix " + std::string(wall->id) + " are not in the probe, as granlaw has a twin of none of its laws");
     }
   }

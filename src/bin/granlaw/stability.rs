@@ -10,7 +10,7 @@ use std::process::ExitCode;
 ///
 /// For each law, what becomes of an impact, or of a sphere at rest, over the time step and one parameter: errors, energy from
 /// nothing, blow-up; with the borders that theory draws and those of LIGGGHTS's own check of the step. LIGGGHTS itself is
-/// asked at places on both sides of the borders that are found. Takes about a minute and a half.
+/// asked at places on both sides of the borders that are found. Takes about a minute.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   granlaw stability
