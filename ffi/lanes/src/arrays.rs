@@ -37,6 +37,8 @@ pub struct Arrays {
     pub forced: usize,
     /// Numbers per neighbour in `history`.
     pub row: usize,
+    /// How far apart the surfaces of neighbours may be when the list is built \[m\].
+    pub skin: f64,
     /// Time step \[s\] and its number.
     pub dt: f64,
     pub step: i64,

@@ -1,6 +1,7 @@
 //! A few dozen contacts on their way through the laws, few enough to stay in the nearest cache.
 use crate::arrays::Particles;
 use crate::list::List;
+use crate::near::Near;
 use crate::pass::NonFinite;
 use crate::unit::Unit;
 use granlaw::chain::Marks;
@@ -22,7 +23,7 @@ pub(crate) struct Block<L> {
 
 /// Where the contacts of a block keep their fits and histories.
 pub(crate) struct At<'a> {
-    pub slot: &'a [u32],
+    pub fit: &'a [u32],
     pub history: &'a [*mut f64],
 }
 
@@ -34,9 +35,11 @@ pub(crate) struct Chunk<L> {
     pairs: [[u32; 2]; CHUNK],
     /// From j to i \[m\].
     delta: [[f64; CHUNK]; 3],
-    /// Numbers of the neighbours, all rows of the list counted through, and the same as wide as lanes, as the search leaves them.
-    slot: [u32; CHUNK],
+    /// Numbers of the pairs among those that were searched, as wide as lanes, and in the list.
     number: [u64; CHUNK],
+    slot: [u32; CHUNK],
+    /// Numbers of their fits, where contacts differ.
+    fit: [u32; CHUNK],
     /// Rows of history, and flags.
     history: [*mut f64; CHUNK],
     flags: [*mut i32; CHUNK],
@@ -56,6 +59,7 @@ impl<L: Unit> Chunk<L> {
             pairs: [[0; 2]; CHUNK],
             delta: [[0.0; CHUNK]; 3],
             slot: [0; CHUNK],
+            fit: [0; CHUNK],
             number: [0; CHUNK],
             history: [null_mut(); CHUNK],
             flags: [null_mut(); CHUNK],
@@ -78,42 +82,66 @@ impl<L: Unit> Chunk<L> {
         (i as usize, j as usize, self.slot[k] as usize)
     }
 
-    /// Take up the neighbours that touch, from number `from` on, until there is no room; the answer is the number of the
-    /// first one that was not looked at. `radius` is that of all particles where they are alike.
+    /// Contact `k` has this fit, and so have the lanes behind it until another is set.
     #[inline(always)]
-    pub fn take(&mut self, p: &Particles<'_>, list: &List, from: usize, radius: Option<f64>) -> usize {
-        let k = match radius {
+    pub fn set_fit(&mut self, k: usize, fit: u32) {
+        for k in k..(k + 1).next_multiple_of(L::WIDTH) {
+            self.fit[k] = fit;
+        }
+    }
+
+    /// Take up the pairs whose surfaces are less than `apart` apart, from number `from` on, until there is no room; the
+    /// answer is the number of the first one that was not looked at. Pairs begin with particles i and j; `radius` is that
+    /// of all particles where they are alike.
+    #[inline(always)]
+    pub fn take<const N: usize>(
+        &mut self,
+        p: &Particles<'_>,
+        pairs: &[[u32; N]],
+        from: usize,
+        radius: Option<f64>,
+        apart: f64,
+    ) -> usize {
+        let x = p.x.as_ptr();
+        match radius {
             Some(r) => self.find(
-                p,
-                list,
+                x,
+                pairs,
                 from,
                 #[inline(always)]
                 |_| r,
+                apart,
             ),
             // SAFETY: all indices are those of particles.
             None => self.find(
-                p,
-                list,
+                x,
+                pairs,
                 from,
                 #[inline(always)]
                 |k| unsafe { *p.radius.get_unchecked(k) },
+                apart,
             ),
-        };
-        self.locate(list);
-        k
+        }
     }
 
     #[inline(always)]
-    fn find(&mut self, p: &Particles<'_>, list: &List, from: usize, radius: impl Fn(usize) -> f64) -> usize {
-        let (mut k, end, mut n) = (from, list.pairs.len(), self.n);
+    fn find<const N: usize>(
+        &mut self,
+        x: *const [f64; 3],
+        pairs: &[[u32; N]],
+        from: usize,
+        radius: impl Fn(usize) -> f64,
+        apart: f64,
+    ) -> usize {
+        let (mut k, end, mut n) = (from, pairs.len(), self.n);
         // SAFETY: all indices are those of particles, and there is room for what is found in a group.
         unsafe {
             while k + L::WIDTH <= end && n + L::WIDTH <= CHUNK {
-                n += self.sift::<L>(p.x.as_ptr(), list, k, n, &radius);
+                n += self.sift::<L, N>(x, &pairs[k..k + L::WIDTH], [k, n], &radius, apart);
                 k += L::WIDTH;
             }
             while k + L::WIDTH > end && k < end && n < CHUNK {
-                n += self.sift::<f64>(p.x.as_ptr(), list, k, n, &radius);
+                n += self.sift::<f64, N>(x, &pairs[k..k + 1], [k, n], &radius, apart);
                 k += 1;
             }
         }
@@ -121,31 +149,31 @@ impl<L: Unit> Chunk<L> {
         k
     }
 
-    /// Put those of a few neighbours that touch into the chunk, from place `n` on; the answer is how many they are.
+    /// Put those of a few pairs, from number `k` on, that are close into the chunk, from place `n` on; the answer is how
+    /// many they are.
     ///
     /// # Safety
-    /// The list holds as many neighbours from `k` on as `G` is wide, and the chunk has room for them.
+    /// There are as many pairs as `G` is wide, and the chunk has room for them.
     #[inline(always)]
-    unsafe fn sift<G: Unit>(
+    unsafe fn sift<G: Unit, const N: usize>(
         &mut self,
         x: *const [f64; 3],
-        list: &List,
-        k: usize,
-        n: usize,
+        pairs: &[[u32; N]],
+        [k, n]: [usize; 2],
         radius: impl Fn(usize) -> f64,
+        apart: f64,
     ) -> usize {
         // SAFETY: as the caller promises; every index is that of a particle.
         unsafe {
-            let pairs = list.pairs.as_ptr().add(k);
-            let i = |k: usize| (*pairs.add(k))[0] as usize;
-            let j = |k: usize| (*pairs.add(k))[1] as usize;
+            let i = |k: usize| pairs.get_unchecked(k)[0] as usize;
+            let j = |k: usize| pairs.get_unchecked(k)[1] as usize;
             let delta = G::differences(
                 #[inline(always)]
                 |k| x.add(i(k)),
                 #[inline(always)]
                 |k| x.add(j(k)),
             );
-            let reach = G::from_fn(|k| radius(i(k))) + G::from_fn(|k| radius(j(k)));
+            let reach = G::from_fn(|k| radius(i(k))) + G::from_fn(|k| radius(j(k))) + G::splat(apart);
             let near = G::bits((reach * reach).gt(dot(&delta, &delta)));
             let number = G::from_fn(|lane| f64::from_bits((k + lane) as u64));
             number.first(near).store(self.number.as_mut_ptr().add(n).cast());
@@ -158,16 +186,21 @@ impl<L: Unit> Chunk<L> {
         }
     }
 
-    /// Find out where the contacts keep their flags and histories.
+    /// The numbers of the pairs that were taken up.
+    pub fn numbers(&self) -> &[u64] {
+        &self.number[..self.n]
+    }
+
+    /// Find out what was taken up of `near`, and where that keeps its flags and histories.
     #[inline(always)]
-    fn locate(&mut self, list: &List) {
+    pub fn locate(&mut self, near: &Near, list: &List) {
         for k in 0..self.n {
-            let slot = self.number[k] as u32;
-            self.slot[k] = slot;
-            // SAFETY: the neighbour is one of the list's.
+            let number = self.number[k] as usize;
+            // SAFETY: the number is that of a pair of `near`, and all of those are in the list.
             unsafe {
-                self.pairs[k] = *list.pairs.get_unchecked(slot as usize);
-                (self.history[k], self.flags[k]) = list.places(self.pairs[k][0], slot);
+                let [i, j, slot] = *near.pairs.get_unchecked(number);
+                (self.pairs[k], self.slot[k]) = ([i, j], slot);
+                (self.history[k], self.flags[k]) = list.places(i, slot);
             }
             if !self.nowhere.is_empty() {
                 prefetch(self.history[k]);
@@ -180,7 +213,7 @@ impl<L: Unit> Chunk<L> {
     fn pad(&mut self) {
         let last = self.n - 1;
         for k in self.n..self.n.next_multiple_of(L::WIDTH) {
-            (self.pairs[k], self.slot[k]) = (self.pairs[last], self.slot[last]);
+            self.pairs[k] = self.pairs[last];
             self.delta.iter_mut().for_each(|d| d[k] = d[last]);
             self.history[k] = self.nowhere.as_mut_ptr();
         }
@@ -257,14 +290,14 @@ impl<L: Unit> Chunk<L> {
         for b in 0..self.n.div_ceil(L::WIDTH) {
             let of = b * L::WIDTH..(b + 1) * L::WIDTH;
             // SAFETY: there are as many blocks as contacts have room in.
-            let (block, slot, history) = unsafe {
+            let (block, fit, history) = unsafe {
                 (
                     self.blocks.get_unchecked_mut(b),
-                    self.slot.get_unchecked(of.clone()),
+                    self.fit.get_unchecked(of.clone()),
                     self.history.get_unchecked(of),
                 )
             };
-            work(&At { slot, history }, block);
+            work(&At { fit, history }, block);
         }
     }
 

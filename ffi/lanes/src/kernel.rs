@@ -9,10 +9,10 @@ use std::marker::PhantomData;
 pub(crate) trait Kernel<L> {
     /// All contacts have this pair of types and this size from now on.
     fn fit_all(&mut self, pair: usize, size: &Size);
-    /// Contacts differ from now on, and none of `slots` neighbours is known yet.
-    fn fit_none(&mut self, slots: usize);
-    /// One neighbour's contact has this pair of types and this size.
-    fn fit(&mut self, slot: usize, pair: usize, size: &Size);
+    /// Contacts differ from now on, and none has a fit yet.
+    fn fit_none(&mut self);
+    /// One more fit, for a contact with this pair of types and this size.
+    fn fit(&mut self, pair: usize, size: &Size);
     /// Run the law, `first` of the chain or not; the answer is what it does to the contact flags.
     fn touch(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) -> Mark;
     /// Bytes in use.
@@ -40,9 +40,9 @@ impl<L: Unit> ForLanes for Kernels<L> {
 enum Fits<W: LaneLaw, L: Unit> {
     /// One for all contacts.
     Shared(W::FitOf<L>),
-    /// One per neighbour.
+    /// One per contact so far, in the order in which they began.
     Each(Vec<W::FitOf<f64>>),
-    /// One per neighbour, still without the speed that it follows.
+    /// As `Each` or for all, still without the speed that it follows.
     Following(Vec<W::Fit>),
 }
 
@@ -147,27 +147,24 @@ impl<W: LaneLaw, L: Unit> Kernel<L> for Prepared<W, L> {
         };
     }
 
-    fn fit_none(&mut self, slots: usize) {
-        // Any fit will do for the room of those that are not known yet.
-        let fit = W::fit(&self.coeffs[0], &ANY);
-        self.fits = if W::follows_speed(&fit) {
-            Fits::Following(vec![fit; slots])
-        } else {
-            let mut fits = match std::mem::replace(&mut self.fits, Fits::Each(Vec::new())) {
-                Fits::Each(fits) => fits,
-                _ => Vec::new(),
-            };
-            fits.resize(slots, W::fit_at(&fit, 0.0));
-            Fits::Each(fits)
+    fn fit_none(&mut self) {
+        self.fits = match std::mem::replace(&mut self.fits, Fits::Each(Vec::new())) {
+            // Any fit tells whether it follows the speed.
+            _ if W::follows_speed(&W::fit(&self.coeffs[0], &ANY)) => Fits::Following(Vec::new()),
+            Fits::Each(mut fits) => {
+                fits.clear();
+                Fits::Each(fits)
+            }
+            _ => Fits::Each(Vec::new()),
         };
     }
 
-    fn fit(&mut self, slot: usize, pair: usize, size: &Size) {
+    fn fit(&mut self, pair: usize, size: &Size) {
         let fit = W::fit(&self.coeffs[pair], size);
         match &mut self.fits {
             Fits::Shared(_) => {}
-            Fits::Each(fits) => fits[slot] = W::fit_at(&fit, 0.0),
-            Fits::Following(fits) => fits[slot] = fit,
+            Fits::Each(fits) => fits.push(W::fit_at(&fit, 0.0)),
+            Fits::Following(fits) => fits.push(fit),
         }
     }
 
@@ -187,7 +184,7 @@ impl<W: LaneLaw, L: Unit> Kernel<L> for Prepared<W, L> {
                     |at, b| {
                         let f = W::side_by_side::<L>(
                             #[inline(always)]
-                            |k| fits[at.slot[k] as usize],
+                            |k| fits[at.fit[k] as usize],
                         );
                         mark = self.touch_block(&f, at, b, call, first);
                     },
@@ -195,8 +192,8 @@ impl<W: LaneLaw, L: Unit> Kernel<L> for Prepared<W, L> {
                 Fits::Following(fits) => chunk.each_block(
                     #[inline(always)]
                     |at, b| {
-                        let slot = |k: usize| if fits.len() == 1 { 0 } else { at.slot[k] as usize };
-                        let fit = |k: usize| W::fit_at(&fits[slot(k)], b.surface.vn.lane(k));
+                        let number = |k: usize| if fits.len() == 1 { 0 } else { at.fit[k] as usize };
+                        let fit = |k: usize| W::fit_at(&fits[number(k)], b.surface.vn.lane(k));
                         let now: [_; 8] = std::array::from_fn(|k| fit(k % L::WIDTH));
                         let f = W::side_by_side::<L>(
                             #[inline(always)]

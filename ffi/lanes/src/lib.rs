@@ -9,6 +9,7 @@ pub mod arrays;
 mod chunk;
 mod kernel;
 mod list;
+mod near;
 mod pass;
 mod seen;
 mod unit;
@@ -33,6 +34,8 @@ pub trait Batch {
     fn contacts(&self) -> u64;
     /// How many neighbours the lists hold.
     fn neighbours(&self) -> usize;
+    /// How many of them the last pass looked at: those that can touch before long.
+    fn looked_at(&self) -> usize;
     /// Bytes in use beside LIGGGHTS's own.
     fn bytes(&self) -> usize;
 }

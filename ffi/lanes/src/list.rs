@@ -30,6 +30,17 @@ impl List {
     /// `ilist` holds `rows` indices; each of the arrays by particle reaches as far as those, and each row of
     /// neighbours as far as `numneigh` says.
     pub unsafe fn renew(&mut self, a: &Arrays) -> Option<()> {
+        // SAFETY: as the caller promises.
+        let taken = unsafe { self.take_all(a) };
+        if taken.is_none() {
+            self.pairs.clear();
+        }
+        taken
+    }
+
+    /// # Safety
+    /// As [`List::renew`].
+    unsafe fn take_all(&mut self, a: &Arrays) -> Option<()> {
         self.pairs.clear();
         self.rows.clear();
         self.rows.resize(a.all, Row { flags: null_mut(), history: null_mut() });
@@ -69,6 +80,11 @@ impl List {
         self.rows[i] = Row { flags: flags.wrapping_sub(slot), history: history.wrapping_sub(a.row * slot) };
         self.pairs.extend(neighbours.iter().map(|j| [i as u32, j & NEIGHBOUR]));
         neighbours.iter().all(|j| ((j & NEIGHBOUR) as usize) < a.all).then_some(())
+    }
+
+    /// Whether all particles that the list names are among those of `a`.
+    pub fn is_of(&self, a: &Arrays) -> bool {
+        self.rows.len() <= a.all
     }
 
     /// Whether each row of `a` has a history.

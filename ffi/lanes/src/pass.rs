@@ -3,6 +3,7 @@ use crate::arrays::{Arrays, Particles};
 use crate::chunk::Chunk;
 use crate::kernel::{Kernel, Kernels};
 use crate::list::List;
+use crate::near::Near;
 use crate::seen::{size, Seen};
 use crate::unit::Unit;
 use crate::Batch;
@@ -33,6 +34,9 @@ pub struct NonFinite {
     pub vn: f64,
 }
 
+/// A neighbour without a fit.
+const NONE: u32 = u32::MAX;
+
 struct Link<L> {
     meta: &'static Meta,
     kernel: Box<dyn Kernel<L>>,
@@ -45,9 +49,12 @@ pub(crate) struct Pass<L: Unit> {
     /// The length that a row of history must have at least.
     row: usize,
     list: List,
+    near: Near,
     seen: Seen,
-    /// Which neighbours have fits; empty where all contacts are alike.
-    fitted: Vec<bool>,
+    /// The number of each neighbour's fit, [`NONE`] where it has none yet; empty where all contacts are alike.
+    fitted: Vec<u32>,
+    /// How many fits there are.
+    fits: u32,
     /// The radius of all particles, where they are alike.
     radius: Option<f64>,
     chunk: Chunk<L>,
@@ -70,20 +77,24 @@ impl<L: Unit + 'static> Pass<L> {
             types: setups.first().map_or(0, |s| s.values.types),
             row,
             list: List::default(),
+            near: Near::new(),
             seen: Seen::default(),
             fitted: Vec::new(),
+            fits: 0,
             radius: None,
             chunk: Chunk::new(row),
             contacts: 0,
         })))
     }
 
-    /// Take up neighbour lists and particles, and drop the fits that no longer hold.
+    /// Take up neighbour lists and particles, and drop the fits that no longer hold. The answer is whether anything is
+    /// new.
     ///
     /// # Safety
     /// As [`Batch::pass`].
-    unsafe fn prepare(&mut self, a: &Arrays, p: &Particles<'_>) -> Result<(), Trouble> {
+    unsafe fn prepare(&mut self, a: &Arrays, p: &Particles<'_>) -> Result<bool, Trouble> {
         if a.rebuilt {
+            self.near.forget();
             // SAFETY: as the caller promises, here and below.
             unsafe { self.list.renew(a) }
                 .ok_or(Trouble::Arrays("the neighbour list names a particle that is not there, or twice"))?;
@@ -92,14 +103,35 @@ impl<L: Unit + 'static> Pass<L> {
                 return Err(Trouble::Arrays("the neighbour list has no room for the laws' history"));
             }
         }
+        if !self.list.is_of(a) {
+            return Err(Trouble::Arrays("the neighbour list is of other particles"));
+        }
         let news = self.seen.look(p, self.types);
         if news.strange {
+            // They are to be looked at again.
+            self.seen = Seen::default();
             return Err(Trouble::Arrays("a particle has an atom type that the laws were not prepared for"));
         }
-        if a.rebuilt || news.changed {
+        let new = a.rebuilt || news.changed;
+        if new {
             self.forget();
         }
-        Ok(())
+        Ok(new)
+    }
+
+    /// Select the neighbours that can touch in the next steps.
+    #[inline(always)]
+    fn select(&mut self, p: &Particles<'_>, skin: f64) {
+        let Some(apart) = self.near.begin(&self.list, p, skin) else { return };
+        let mut from = 0;
+        while from < self.list.pairs.len() {
+            self.chunk.clear();
+            from = self.chunk.take(p, &self.list.pairs, from, self.radius, apart);
+            for slot in self.chunk.numbers() {
+                self.near.add(&self.list, *slot as u32);
+            }
+        }
+        self.near.end(&self.list);
     }
 
     fn forget(&mut self) {
@@ -112,8 +144,9 @@ impl<L: Unit + 'static> Pass<L> {
                 self.links.iter_mut().for_each(|l| l.kernel.fit_all(pair, &size));
             }
             None => {
-                self.fitted.resize(self.list.pairs.len(), false);
-                self.links.iter_mut().for_each(|l| l.kernel.fit_none(self.list.pairs.len()));
+                self.fitted.resize(self.list.pairs.len(), NONE);
+                self.fits = 0;
+                self.links.iter_mut().for_each(|l| l.kernel.fit_none());
             }
         }
     }
@@ -122,9 +155,10 @@ impl<L: Unit + 'static> Pass<L> {
     fn walk(&mut self, a: &Arrays, p: &mut Particles<'_>) -> Result<(), Trouble> {
         self.chunk.clear();
         let mut from = 0;
-        while from < self.list.pairs.len() {
-            from = self.chunk.take(p, &self.list, from, self.radius);
+        while from < self.near.pairs.len() {
+            from = self.chunk.take(p, &self.near.pairs, from, self.radius, 0.0);
             if self.chunk.len() > 0 {
+                self.chunk.locate(&self.near, &self.list);
                 self.evaluate(a, p)?;
             }
         }
@@ -159,19 +193,21 @@ impl<L: Unit + 'static> Pass<L> {
         Ok(())
     }
 
-    /// Fits for the neighbours of the chunk that have none yet.
+    /// Find the fits of the chunk's contacts, and make those that are not there yet.
     fn fit(&mut self, p: &Particles<'_>) -> Result<(), Trouble> {
         for k in 0..self.chunk.len() {
             let (i, j, slot) = self.chunk.contact(k);
-            if !self.fitted[slot] {
-                self.fitted[slot] = true;
+            if self.fitted[slot] == NONE {
                 let pair = (p.kind[i] as usize - 1) * self.types + p.kind[j] as usize - 1;
                 let size = size(p, i, j);
                 if !size.meff.is_finite() {
                     return Err(Trouble::NonFinite(self.chunk.kinematics(k)));
                 }
-                self.links.iter_mut().for_each(|l| l.kernel.fit(slot, pair, &size));
+                self.links.iter_mut().for_each(|l| l.kernel.fit(pair, &size));
+                self.fitted[slot] = self.fits;
+                self.fits += 1;
             }
+            self.chunk.set_fit(k, self.fitted[slot]);
         }
         Ok(())
     }
@@ -183,7 +219,17 @@ impl<L: Unit + 'static> Batch for Pass<L> {
         let particles = unsafe { a.particles() };
         let mut p = particles.ok_or(Trouble::Arrays("an array of particles is missing"))?;
         // SAFETY: as the caller promises.
-        unsafe { self.prepare(a, &p) }?;
+        let new = unsafe { self.prepare(a, &p) }?;
+        let outrun = L::run(
+            #[inline(always)]
+            || self.near.outrun::<L>(p.x),
+        );
+        if new || outrun {
+            L::run(
+                #[inline(always)]
+                || self.select(&p, a.skin),
+            );
+        }
         L::run(
             #[inline(always)]
             || self.walk(a, &mut p),
@@ -198,8 +244,12 @@ impl<L: Unit + 'static> Batch for Pass<L> {
         self.list.pairs.len()
     }
 
+    fn looked_at(&self) -> usize {
+        self.near.pairs.len()
+    }
+
     fn bytes(&self) -> usize {
         let kernels: usize = self.links.iter().map(|l| l.kernel.bytes()).sum();
-        kernels + self.fitted.capacity() + self.list.bytes() + self.seen.bytes()
+        kernels + 4 * self.fitted.capacity() + self.list.bytes() + self.near.bytes() + self.seen.bytes()
     }
 }

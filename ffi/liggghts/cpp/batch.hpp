@@ -19,7 +19,7 @@ struct granlaw_arrays {
   int *const *flags;
   double *const *history;
   size_t rows, all, forced, row;
-  double dt;
+  double skin, dt;
   int64_t step;
   int32_t frozen;
   bool update, rebuilt;
@@ -104,7 +104,7 @@ class Batch {
     a.rows = static_cast<size_t>(list->inum), a.all = all;
     a.forced = lmp_->force->newton_pair ? all : static_cast<size_t>(atom->nlocal);
     a.row = static_cast<size_t>(pair->dnum());
-    a.dt = lmp_->update->dt, a.step = static_cast<int64_t>(lmp_->update->ntimestep);
+    a.skin = lmp_->neighbor->skin, a.dt = lmp_->update->dt, a.step = static_cast<int64_t>(lmp_->update->ntimestep);
     a.frozen = pair->freeze_group_bit();
     a.update = pair->shearupdate();
     a.rebuilt = lmp_->neighbor->ncalls != built_ || lmp_->neighbor->ago == 0 || list != list_;

@@ -25,6 +25,7 @@ pub struct Scene {
     pub flags: Vec<i32>,
     pub history: Vec<f64>,
     pub row: usize,
+    pub skin: f64,
     owned: usize,
     update: bool,
     first: Vec<*const i32>,
@@ -105,6 +106,15 @@ impl Scene {
         }
     }
 
+    /// All move by `together`, and each by up to `apart` of its own.
+    pub fn drift(&mut self, together: f64, apart: f64, seed: usize) {
+        let mut m = Many(seed as u64);
+        for x in &mut self.x {
+            let own = m.vector(apart);
+            (0..3).for_each(|c| x[c] += together + own[c]);
+        }
+    }
+
     /// The second row of neighbours becomes another one of the first particle.
     pub fn twice(&mut self) {
         self.ilist[1] = self.ilist[0];
@@ -144,6 +154,7 @@ impl Scene {
             all: N,
             forced: self.owned,
             row: self.row,
+            skin: self.skin,
             dt: 1e-5,
             step: 7,
             frozen: FROZEN,
@@ -172,6 +183,11 @@ impl Scene {
 
     pub fn touching(&self) -> usize {
         self.contacts().len()
+    }
+
+    /// The numbers in the list of those that touch.
+    pub fn touching_now(&self) -> Vec<usize> {
+        self.contacts().into_iter().map(|(_, _, k)| k).collect()
     }
 
     pub fn first_touching(&self) -> (usize, usize) {

@@ -158,6 +158,7 @@ impl Lanes {
             all: 2 * n,
             forced: 2 * n,
             row: self.slots,
+            skin: 0.0,
             dt: self.common.dt,
             step: self.common.step,
             frozen: self.common.frozen,
