@@ -1,5 +1,7 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
-use crate::law::{Call, Contact, Gap, Kernel, LawError, Life, Mark, Meta, Setup, Size, Stage, Swing, Terms};
+use crate::law::{
+    Call, Contact, Gap, Kernel, LawError, Life, Mark, Meta, Reach, Setup, Size, Stage, Swing, Terms,
+};
 use crate::laws::find;
 
 mod host;
@@ -53,6 +55,8 @@ pub struct Chain {
     links: Vec<Link>,
     types: usize,
     row: usize,
+    /// Whether a law acts across gaps; no other is fitted to surfaces that are apart.
+    across: bool,
     /// What the laws are fitted to. Neighbouring contacts mostly have the same sizes, so the last fit mostly holds.
     fitted: Option<(usize, Size)>,
     bonds: Bonds,
@@ -73,7 +77,8 @@ impl Chain {
         }
         let row = links.iter().map(|l| l.slots.end).max().unwrap_or(0);
         let (types, bonds) = (setups.first().map_or(0, |s| s.values.types), Bonds::default());
-        Ok(Chain { links, types, row, fitted: None, bonds })
+        let across = links.iter().any(|l: &Link| l.meta.reach == Reach::Beyond);
+        Ok(Chain { links, types, row, across, fitted: None, bonds })
     }
 
     /// Laws whose histories lie one behind the other from slot 0.
@@ -132,7 +137,9 @@ impl Chain {
 
     /// They do not.
     pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Marks {
-        self.fit(types, x);
+        if self.across {
+            self.fit(types, x);
+        }
         self.run(&x.call, h, s, |kernel, h, s| kernel.apart(x, h, s))
     }
 

@@ -1,5 +1,5 @@
 //! A law with its types erased, ready to run for every pair of atom types.
-use super::{Contact, Gap, LaneLaw, Law, LawError, Meta, Setup, Size, Stage, Swing, Terms};
+use super::{Contact, Gap, LaneLaw, Law, LawError, Meta, Reach, Setup, Size, Stage, Swing, Terms};
 use bytemuck::Pod;
 use std::fmt::Debug;
 
@@ -9,7 +9,7 @@ pub trait Kernel: Send {
     fn fit(&mut self, pair: usize, size: &Size);
     /// The surfaces overlap.
     fn touch(&self, x: &Contact, h: &mut [f64], s: &mut Stage);
-    /// They do not.
+    /// They do not. Only a law with [`Reach::Beyond`] needs a fit for this.
     fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage);
     /// See [`Law::observe`].
     fn observe(&self, x: &Contact, h: &[f64]) -> Terms;
@@ -29,6 +29,8 @@ pub trait Memory {
     fn view(h: &mut [f64]) -> &mut Self;
     /// The same without writing.
     fn see(h: &[f64]) -> &Self;
+    /// All numbers become 0.
+    fn clear(&mut self);
 }
 
 impl<H: Pod> Memory for H {
@@ -39,6 +41,9 @@ impl<H: Pod> Memory for H {
     fn see(h: &[f64]) -> &H {
         bytemuck::from_bytes(bytemuck::cast_slice(h))
     }
+    fn clear(&mut self) {
+        *self = H::zeroed();
+    }
 }
 
 impl Memory for [f64] {
@@ -48,6 +53,9 @@ impl Memory for [f64] {
     }
     fn see(h: &[f64]) -> &[f64] {
         h
+    }
+    fn clear(&mut self) {
+        self.fill(0.0);
     }
 }
 
@@ -72,7 +80,11 @@ impl<L: Law> Kernel for Prepared<L> {
         L::touch(self.fitted(), x, L::History::view(h), s);
     }
     fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage) {
-        L::apart(self.fitted(), x, L::History::view(h), s);
+        let h = L::History::view(h);
+        match L::META.reach {
+            Reach::Overlap => L::apart(h, s),
+            Reach::Beyond => L::across(self.fitted(), x, h, s),
+        }
     }
     fn observe(&self, x: &Contact, h: &[f64]) -> Terms {
         L::observe(self.fitted(), x, L::History::see(h))

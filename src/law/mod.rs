@@ -45,8 +45,15 @@ pub trait Law: 'static {
     fn fit(c: &Self::Coeffs, size: &Size) -> Self::Fit;
     /// The surfaces overlap.
     fn touch(f: &Self::Fit, x: &Contact, h: &mut Self::History, s: &mut Stage);
-    /// They do not. A law with [`Reach::Beyond`] may still answer with a force.
-    fn apart(f: &Self::Fit, x: &Gap, h: &mut Self::History, s: &mut Stage);
+    /// They do not: the contact is forgotten.
+    fn apart(h: &mut Self::History, s: &mut Stage) {
+        h.clear();
+        s.mark = Mark::Clear;
+    }
+    /// In place of [`Law::apart`] for a law with [`Reach::Beyond`], which may still answer with a force.
+    fn across(_: &Self::Fit, _: &Gap, h: &mut Self::History, s: &mut Stage) {
+        Self::apart(h, s);
+    }
     /// The ways in which two bodies swing under a law that acts whether or not surfaces overlap, each as stiff as it gets;
     /// they limit the time step. `speed` is how fast the bodies move against each other \[m/s\]. A law that answers to an
     /// overlap tells its stiffness in [`Law::observe`] instead.

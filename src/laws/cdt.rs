@@ -60,7 +60,7 @@ impl Law for Cdt {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+    fn apart(_: &mut [f64; 0], s: &mut Stage) {
         s.mark = Mark::Leave; // LIGGGHTS's law does not touch the flag, neither here nor in contact.
     }
 

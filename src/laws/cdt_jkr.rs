@@ -176,7 +176,7 @@ impl Law for CdtJkr {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+    fn apart(_: &mut [f64; 0], s: &mut Stage) {
         s.mark = Mark::Leave; // As `cdt`.
     }
 

@@ -123,7 +123,7 @@ impl Law for Hertz {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+    fn apart(_: &mut [f64; 0], s: &mut Stage) {
         s.mark = Mark::Set; // As LIGGGHTS, which sets the flag where it would be expected to clear it.
     }
 

@@ -94,11 +94,6 @@ impl Law for History {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Fit, _: &Gap, h: &mut [f64; 3], s: &mut Stage) {
-        *h = [0.0; 3];
-        s.mark = Mark::Clear;
-    }
-
     fn observe(_: &Fit, x: &Contact, h: &[f64; 3]) -> Terms {
         let moved = norm(&Vector3::from(*h)) > 0.0 || norm(&x.surface.vtr) > 0.0;
         Terms { branch: if moved { "sheared" } else { "virgin" }, ..Terms::default() }

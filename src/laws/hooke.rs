@@ -154,7 +154,7 @@ impl Law for Hooke {
         Self::touch_lanes(&Self::fit_at(f, x.surface.vn), &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Self::Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
+    fn apart(_: &mut [f64; 0], s: &mut Stage) {
         s.mark = Mark::Set; // As LIGGGHTS, which sets the flag where it would be expected to clear it.
     }
 

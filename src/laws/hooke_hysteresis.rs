@@ -201,11 +201,6 @@ impl Law for HookeHysteresis {
         Self::touch_lanes(&Self::fit_at(f, x.surface.vn), &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Self::Fit, _: &Gap, h: &mut [f64; 1], s: &mut Stage) {
-        *h = [0.0];
-        s.mark = Mark::Clear;
-    }
-
     fn observe(f: &Self::Fit, x: &Contact, h: &[f64; 1]) -> Terms {
         let (fit, delta) = (Self::fit_at(f, x.surface.vn), x.surface.deltan);
         let delta_max = delta.max(h[0]);

@@ -68,10 +68,6 @@ impl Law for NoHistory {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
 
-    fn apart(_: &Fit, _: &Gap, _: &mut [f64; 0], s: &mut Stage) {
-        s.mark = Mark::Clear;
-    }
-
     fn observe(f: &Fit, x: &Contact, _: &[f64; 0]) -> Terms {
         // Before the normal law has run, only the speed is known.
         let _ = f;

@@ -176,7 +176,6 @@ impl Law for AllSlip {
     fn touch(f: &(), x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
         Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
     }
-    fn apart(_: &(), _: &Gap, _: &mut [f64; 0], _: &mut Stage) {}
     fn observe(_: &(), _: &Contact, _: &[f64; 0]) -> Terms {
         Terms::default()
     }

@@ -145,10 +145,10 @@ impl Law for BondNonlinear {
     }
 
     fn touch(f: &Fit, x: &Contact, h: &mut [f64], s: &mut Stage) {
-        Self::apart(f, &x.gap, h, s);
+        Self::across(f, &x.gap, h, s);
     }
 
-    fn apart(f: &Fit, x: &Gap, h: &mut [f64], s: &mut Stage) {
+    fn across(f: &Fit, x: &Gap, h: &mut [f64], s: &mut Stage) {
         // λ = 0 stands for no bond between these types.
         if f.area == 0.0 {
             return;
