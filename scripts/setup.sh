@@ -2,6 +2,9 @@
 # shellcheck shell=bash
 
 granlaw_packages=(liggghts libliggghts-dev libopenmpi-dev openmpi-bin g++ libclang-dev pkg-config valgrind)
+# For scripts/avx512.sh alone.
+# shellcheck disable=SC2034
+granlaw_emulator=(bochs bochs-term bochsbios vgabios isolinux syslinux-common xorriso cpio busybox-static)
 
 granlaw_setup() {
     local missing=() package

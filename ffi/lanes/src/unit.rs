@@ -9,6 +9,8 @@ use nalgebra::Vector3;
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+#[cfg(test)]
+mod tests;
 
 /// A lane with the instructions that it needs.
 pub(crate) trait Unit: Lane {
