@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 
 granlaw_packages=(liggghts libliggghts-dev libopenmpi-dev openmpi-bin g++ libclang-dev pkg-config valgrind)
-# For scripts/avx512.sh alone.
+# More, for scripts/avx512.sh.
 # shellcheck disable=SC2034
 granlaw_emulator=(bochs bochs-term bochsbios vgabios isolinux syslinux-common xorriso cpio busybox-static)
 
@@ -20,9 +20,11 @@ granlaw_setup() {
         echo "these Debian packages are missing and there is no apt-get to install them: ${missing[*]}" >&2
         return 2
     }
-    local root=()
-    [ "$(id -u)" -eq 0 ] || root=(sudo)
     echo "installing ${missing[*]}"
-    "${root[@]}" apt-get update -q
-    DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
+    granlaw_root apt-get update -q
+    DEBIAN_FRONTEND=noninteractive granlaw_root apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+granlaw_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }

@@ -8,6 +8,8 @@ case "${1:-}" in
 esac
 source scripts/setup.sh
 granlaw_setup
+# Where these cannot be had, the test that needs them says so.
+(granlaw_packages=("${granlaw_emulator[@]}") && granlaw_setup) || true
 
 cargo fmt --all --check
 cargo build --release --workspace --locked

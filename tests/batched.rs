@@ -1,5 +1,7 @@
 //! The batched path inside LIGGGHTS: what it does not do and says so, the options that choose it, and scenes that need
 //! all of it.
+#[path = "batched/emulated.rs"]
+mod emulated;
 #[path = "batched/fallback.rs"]
 mod fallback;
 #[path = "batched/options.rs"]
