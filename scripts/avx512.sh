@@ -22,7 +22,8 @@ granlaw_setup
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 kernel=$target/avx512-kernel
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+machine=
+trap '[ -z "$machine" ] || kill "$machine" 2>/dev/null; rm -rf "$work"' EXIT
 
 # Debian's kernel for virtual machines, the smallest. It is unpacked, not installed.
 fetch_kernel() {
@@ -93,7 +94,10 @@ END
 # Debian's Bochs has the debugger, which waits for a word, and only screens that want a terminal.
 echo c >"$work/rc"
 touch "$work/serial"
-TERM=vt100 script -qec "nice bochs -q -f $work/bochsrc -rc $work/rc" "$work/screen" </dev/null >/dev/null &
-tail -f --pid=$! "$work/serial" || true
-wait $! || true
+limit=3h
+[ "$task" != quick ] || limit=15m
+TERM=vt100 script -qec "nice timeout -k 5 $limit bochs -q -f $work/bochsrc -rc $work/rc" "$work/screen" </dev/null >/dev/null &
+machine=$!
+tail -f --pid=$machine "$work/serial" || true
+wait $machine || true
 tr -d '\r' <"$work/serial" | grep -qx 'everything holds' || { tail -3 "$work/log" >&2; echo "avx512.sh: FAILED" >&2; exit 1; }
