@@ -23,7 +23,7 @@ target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 kernel=$target/avx512-kernel
 work=$(mktemp -d)
 machine=
-trap '[ -z "$machine" ] || kill "$machine" 2>/dev/null; rm -rf "$work"' EXIT
+trap 'kill "$machine" 2>/dev/null || true; rm -rf "$work"' EXIT
 
 # Debian's kernel for virtual machines, the smallest. It is unpacked, not installed.
 fetch_kernel() {
