@@ -25,7 +25,7 @@ stock() { # DUMP RANKS ARG...
     else
         mpirun --allow-run-as-root --oversubscribe --bind-to none -np "$np" liggghts "$@" >out 2>&1
     fi || { tail -5 out; return 1; }
-    [ "$(wc -l <dump.txt)" -gt 100 ] && mv dump.txt "$dump"
+    [ "$(wc -l <dump.txt)" -gt 10 ] && mv dump.txt "$dump"
 }
 rust() { (export LD_PRELOAD=/granlaw/plugin.so GRANLAW_LAWS=rust && stock "$@"); }
 
