@@ -1,5 +1,5 @@
 //! Rigid bodies and frozen particles, whose masses count in ways of their own, on one rank and on two.
-use crate::built::must;
+use crate::built::{must, source};
 use crate::live::{deck, live, Scratch};
 use std::path::Path;
 
@@ -47,5 +47,18 @@ fn frozen_particles() {
             ("custom 1000", "custom 100"),
         ];
         same("gas_two_ranks.in", 2, &changes);
+    }
+}
+
+#[test]
+fn steps_count_where_the_first_rank_has_no_particles() {
+    if live("steps_count_where_the_first_rank_has_no_particles") {
+        let s = Scratch::new();
+        for file in ["tiny.in", "material.inc", "measure.inc"] {
+            let text = std::fs::read_to_string(source().join("benchmarks").join(file)).unwrap();
+            s.file(file, &text);
+        }
+        let args = ["run", "--path", "batched", "--np", "2", "--", "-in", "tiny.in", "-var", "steps", "50"];
+        s.granlaw(&args).ends(0, &["batched path ends: 51 steps, 51 contacts, 1 neighbours"]);
     }
 }

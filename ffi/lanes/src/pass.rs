@@ -106,7 +106,7 @@ impl<L: Unit + 'static> Pass<L> {
         if !self.list.is_of(a) {
             return Err(Trouble::Arrays("the neighbour list is of other particles"));
         }
-        let news = self.seen.look(p, self.types);
+        let news = self.seen.look::<L>(p, self.types);
         if news.strange {
             // They are to be looked at again.
             self.seen = Seen::default();

@@ -119,7 +119,9 @@ class Batch {
       granlaw_account mine = granlaw_batch_account(batch_), all = mine;
       static_assert(sizeof(granlaw_account) == 4 * sizeof(uint64_t), "summed as four numbers");
       MPI_Reduce(&mine, &all, 4, MPI_UINT64_T, MPI_SUM, 0, lmp_->world);
-      print("batched path ends: " + std::to_string(mine.passes) + " steps, " + std::to_string(all.contacts) + " contacts, " +
+      // A rank without particles makes no pass.
+      MPI_Reduce(&mine.passes, &all.passes, 1, MPI_UINT64_T, MPI_MAX, 0, lmp_->world);
+      print("batched path ends: " + std::to_string(all.passes) + " steps, " + std::to_string(all.contacts) + " contacts, " +
             std::to_string(all.neighbours) + " neighbours, " + std::to_string(all.bytes) + " bytes");
     }
     granlaw_batch_free(batch_);
