@@ -58,7 +58,10 @@ fn steps_count_where_the_first_rank_has_no_particles() {
             let text = std::fs::read_to_string(source().join("benchmarks").join(file)).unwrap();
             s.file(file, &text);
         }
-        let args = ["run", "--path", "batched", "--np", "2", "--", "-in", "tiny.in", "-var", "steps", "50"];
+        let args = [
+            "run", "--laws", "rust", "--path", "batched", "--np", "2", "--", "-in", "tiny.in", "-var",
+            "steps", "50",
+        ];
         s.granlaw(&args).ends(0, &["batched path ends: 51 steps, 51 contacts, 1 neighbours"]);
     }
 }
