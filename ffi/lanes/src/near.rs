@@ -80,7 +80,7 @@ impl Near {
         let largest = p.radius.iter().fold(0.0, |a: f64, b| a.max(*b));
         let somewhere = || p.x.as_flattened().iter().all(|x| x.is_finite());
         // In a much thinner skin rounding would count.
-        if self.saved < PRICE || skin <= 1e-9 * largest || !somewhere() {
+        if self.saved < PRICE || skin.is_nan() || skin <= 1e-9 * largest || !somewhere() {
             self.all(list);
             return None;
         }
