@@ -128,7 +128,7 @@ pub(super) struct Said {
 
 impl Said {
     pub(super) fn read(log: &Path, outputs: &[PathBuf; 2]) -> Said {
-        let read = |path: &Path| String::from_utf8_lossy(&fs::read(path).unwrap_or_default()).into_owned();
+        let read = |path: &Path| readable(&fs::read(path).unwrap_or_default());
         Said { log: read(log), out: read(&outputs[0]), err: read(&outputs[1]) }
     }
 
@@ -186,6 +186,21 @@ impl Said {
         };
         out + &part("standard error", &self.err)
     }
+}
+
+/// Text without the line that LIGGGHTS puts behind one error in five: a jest that it reads from memory freed before, and
+/// so a few bytes that are no text. It ends with the place in the source, as the error does.
+fn readable(bytes: &[u8]) -> String {
+    let (mut kept, mut place) = (String::new(), None);
+    for line in String::from_utf8_lossy(bytes).split_inclusive('\n') {
+        let error = line.starts_with("ERROR");
+        let end = line.trim_end().rsplit_once(" (").map(|(_, end)| end.to_string());
+        if error || end.is_none() || end != place {
+            kept.push_str(line);
+        }
+        place = end.filter(|_| error);
+    }
+    kept
 }
 
 /// LIGGGHTS's error; it may run over a few lines and ends where its source is named.
@@ -259,6 +274,15 @@ mod tests {
         let log = format!("{log}run 10\nStep Atoms\nrun 10\n");
         assert_eq!(last_read(DECK, &log), Some((6, "run 10".into())));
         assert_eq!(last_read(DECK, "LIGGGHTS\n"), None);
+    }
+
+    #[test]
+    fn what_is_no_text_behind_an_error_is_left_out() {
+        let error = "run 1\nERROR: Invalid pair style (./src/force.cpp:247)\n";
+        let jest = [error.as_bytes(), b"\x01\xbe\x05 (./src/force.cpp:247)\nmore\n"].concat();
+        assert_eq!(readable(&jest), format!("{error}more\n"));
+        let others = format!("{error}ERROR: Again (./src/force.cpp:247)\nwarning (see above)\n");
+        assert_eq!(readable(others.as_bytes()), others);
     }
 
     #[test]
