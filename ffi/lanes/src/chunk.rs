@@ -1,4 +1,6 @@
 //! A few dozen contacts on their way through the laws, few enough to stay in the nearest cache.
+mod forces;
+
 use crate::arrays::Particles;
 use crate::list::List;
 use crate::near::Near;
@@ -8,7 +10,6 @@ use granlaw::chain::Marks;
 use granlaw::lane::dot;
 use granlaw::law::{Stage, Surface};
 use nalgebra::Vector3;
-use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 /// Contacts in a chunk at most; whole blocks of any width.
@@ -301,42 +302,6 @@ impl<L: Unit> Chunk<L> {
         }
     }
 
-    /// Add forces and torques in the order of the contacts. Particles from `forced` on belong to other ranks and get none.
-    #[inline(always)]
-    pub fn hand_out(&self, p: &mut Particles<'_>, forced: usize) {
-        // SAFETY: indices of particles, see [`Chunk`]; none is its own neighbour; rows are read as far as there are lanes.
-        unsafe {
-            let (f, torque) = (p.f.as_mut_ptr(), p.torque.as_mut_ptr());
-            let mut i = self.pairs[0][0] as usize;
-            let (mut fi, mut torque_i) = (*f.add(i), *torque.add(i));
-            for b in 0..self.n.div_ceil(L::WIDTH) {
-                let s = &self.blocks.get_unchecked(b).stage;
-                let (force, on_i, on_j) = (rows(&s.force), rows(&s.torque_i), rows(&s.torque_j));
-                for k in 0..L::WIDTH {
-                    if b * L::WIDTH + k >= self.n {
-                        break;
-                    }
-                    let [next, j] = self.pairs.get_unchecked(b * L::WIDTH + k).map(|p| p as usize);
-                    // One lane alone does not wait to learn whether it is the same particle.
-                    if L::WIDTH == 1 || next != i {
-                        (*f.add(i), *torque.add(i)) = (fi, torque_i);
-                        i = next;
-                        (fi, torque_i) = (*f.add(i), *torque.add(i));
-                    }
-                    let force = force.get_unchecked(k).assume_init();
-                    add(&mut fi, force);
-                    add(&mut torque_i, on_i.get_unchecked(k).assume_init());
-                    if j < forced {
-                        // Zero less the force, as a contact alone has it: the sign of a zero may differ.
-                        add(&mut *f.add(j), force.map(|f| 0.0 - f));
-                        add(&mut *torque.add(j), on_j.get_unchecked(k).assume_init());
-                    }
-                }
-            }
-            (*f.add(i), *torque.add(i)) = (fi, torque_i);
-        }
-    }
-
     /// Set and clear the contact flags, which all contacts must have.
     #[inline(always)]
     pub fn mark(&self, marks: Marks) {
@@ -348,29 +313,6 @@ impl<L: Unit> Chunk<L> {
                 *flags = new;
             }
         }
-    }
-}
-
-/// A vector per lane; what lies beyond the last lane is not set.
-#[inline(always)]
-fn rows<L: Unit>(v: &Vector3<L>) -> [MaybeUninit<[f64; 3]>; 8] {
-    let mut rows = [MaybeUninit::uninit(); 8];
-    let first = rows.as_mut_ptr();
-    // SAFETY: no unit is wider than the array.
-    unsafe {
-        L::scatter(
-            v,
-            #[inline(always)]
-            |k| first.add(k).cast(),
-        );
-    }
-    rows
-}
-
-#[inline(always)]
-fn add(to: &mut [f64; 3], what: [f64; 3]) {
-    for (t, w) in to.iter_mut().zip(what) {
-        *t += w;
     }
 }
 

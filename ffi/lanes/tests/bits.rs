@@ -40,7 +40,10 @@ fn offsets(r: &Recipe) -> Vec<usize> {
 /// Several passes with changes between them; `bend` may spoil what the pass left.
 fn same(r: &Recipe, d: &mut Draw<'_>, bend: Change) -> Outcome {
     let offsets = offsets(r);
-    let first = Scene::draw(r.slots() + 2, d);
+    let mut first = Scene::draw(r.slots() + 2, d);
+    if d.flip() {
+        first.crowd();
+    }
     for width in WIDTHS {
         let mut one = Chain::new(&r.setups, &offsets).unwrap();
         let mut all = batch(&r.setups, &offsets, width).unwrap().expect("all these laws have lanes");

@@ -97,6 +97,11 @@ impl Scene {
         }
     }
 
+    /// Many contacts per particle, where there were few.
+    pub fn crowd(&mut self) {
+        self.x.as_flattened_mut().iter_mut().for_each(|x| *x *= 0.4);
+    }
+
     pub fn shake(&mut self, d: &mut Draw<'_>) {
         let mut m = Many((d.unit() * 1e15) as u64);
         for k in 0..N {
