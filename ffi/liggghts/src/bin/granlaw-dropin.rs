@@ -7,10 +7,11 @@ use std::{env, fs, io};
 
 const HEADER: &str = include_str!("../../../capi/include/granlaw.h");
 /// Each needs those before it.
-const PARTS: [&str; 5] = [
+const PARTS: [&str; 6] = [
     include_str!("../../cpp/mirror.hpp"),
     include_str!("../../cpp/roll.hpp"),
     include_str!("../../cpp/wall.hpp"),
+    include_str!("../../cpp/words.hpp"),
     include_str!("../../cpp/adapter.hpp"),
     include_str!("../../cpp/dropin.hpp"),
 ];
