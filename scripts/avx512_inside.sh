@@ -27,7 +27,7 @@ stock() { # DUMP RANKS ARG...
     fi || { tail -5 out; return 1; }
     [ "$(wc -l <dump.txt)" -gt 10 ] && mv dump.txt "$dump"
 }
-rust() { (export LD_PRELOAD=/granlaw/plugin.so GRANLAW_LAWS=rust && stock "$@"); }
+rust() { (export LD_PRELOAD=/granlaw/plugin.so GRANLAW_LAWS=rust GRANLAW_LANES="${GRANLAW_LANES:-8}" && stock "$@"); }
 
 # The dump of the run before, on the AVX-512 code.
 same() { rust rust.txt "$@" && grep -q "$avx512" out && cmp stock.txt rust.txt; }

@@ -66,8 +66,8 @@ pub struct Preload<'a> {
     pub alarm: bool,
     /// How the pair style goes through its contacts; without it, batched where possible.
     pub route: Option<Route>,
-    /// How many contacts go side by side; without it, as many as the processor has registers for.
-    pub lanes: Option<u32>,
+    /// How many contacts go side by side, 1, 4, 8 or `widest`; without it, as many as suit the processor and the scene.
+    pub lanes: Option<String>,
 }
 
 impl<'a> Preload<'a> {
@@ -93,7 +93,7 @@ impl<'a> Preload<'a> {
         }
         let route = self.route.map(|r| if r == Route::Batched { "batched" } else { "contact" });
         env.extend(route.map(|r| ("GRANLAW_PATH", r.into())));
-        env.extend(self.lanes.map(|n| ("GRANLAW_LANES", n.to_string())));
+        env.extend(self.lanes.iter().map(|n| ("GRANLAW_LANES", n.clone())));
         env.extend(self.steps.map(|n| ("GRANLAW_STEPS", n.to_string())));
         env.extend(self.alarm.then(|| ("GRANLAW_TIMESTEP", "warn".into())));
         env.extend(self.probe.iter().map(|p| ("GRANLAW_PROBE", p.display().to_string())));

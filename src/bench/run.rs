@@ -137,7 +137,7 @@ impl<'a> Job<'a> {
         let batched = Some(Route::Batched);
         let (route, lanes) = match side {
             Side::Stock | Side::Contact => (Some(Route::Contact), None),
-            Side::Lanes(n) => (batched, Some(n)),
+            Side::Lanes(n) => (batched, Some(n.to_string())),
             _ => (batched, None),
         };
         let preload =

@@ -99,6 +99,8 @@ impl Trial<'_> {
             record: record.then(Folder::record),
             every: deck.every,
             deck: Some(deck.file()),
+            // Two particles would go one contact at a time, and the lanes of this machine are to be proved too.
+            lanes: std::env::var("GRANLAW_LANES").is_err().then(|| "widest".into()),
             ..Preload::new(plugin, laws)
         };
         let folder = Folder::new(self.deck)?;

@@ -49,8 +49,8 @@ fn values_that_are_none_are_refused_in_words() {
     s.granlaw(&["run", "--path", "quick", "--", "-in", "deck.in"]).ends(2, &["quick", "batched", "contact"]);
     for (name, value, code, words) in [
         ("GRANLAW_PATH", "quick", 2, "GRANLAW_PATH=quick must be batched or contact"),
-        ("GRANLAW_LANES", "3", 1, "GRANLAW_LANES=3 must be 1, 4 or 8"),
-        ("GRANLAW_LANES", "many", 1, "GRANLAW_LANES=many must be 1, 4 or 8"),
+        ("GRANLAW_LANES", "3", 1, "GRANLAW_LANES=3 must be 1, 4, 8 or widest"),
+        ("GRANLAW_LANES", "many", 1, "GRANLAW_LANES=many must be 1, 4, 8 or widest"),
     ] {
         let mut command = alone(Path::new("liggghts"), &s.path(""));
         command.args(["-in", "deck.in"]).env("LD_PRELOAD", plugin().unwrap().path);

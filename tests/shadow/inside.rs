@@ -91,7 +91,7 @@ fn either_path_and_every_width_is_held_against_liggghts() {
     }
     let args = ["run", "--shadow", "--", "-in", "deck.in"];
     Said::of(s.command(program()).args(args).env("GRANLAW_LANES", "3"))
-        .ends(1, &["GRANLAW_LANES=3 must be 1, 4 or 8"]);
+        .ends(1, &["GRANLAW_LANES=3 must be 1, 4, 8 or widest"]);
 }
 
 /// A library that spoils LIGGGHTS's answer on its way to the shadow, as a wrong Rust law would differ from it.

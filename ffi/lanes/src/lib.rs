@@ -7,6 +7,7 @@
 
 pub mod arrays;
 mod chunk;
+mod few;
 mod kernel;
 mod list;
 mod near;
@@ -47,4 +48,14 @@ pub trait Batch {
 /// The first thing that a law refuses.
 pub fn batch(setups: &[Setup], offsets: &[usize], width: Width) -> Result<Option<Box<dyn Batch>>, LawError> {
     unit::batch(setups, offsets, width)
+}
+
+/// The same, as wide as suits each neighbour list: one contact at a time among a handful of particles, else
+/// [`Width::widest`].
+///
+/// # Errors
+/// As [`batch`].
+pub fn fitting(setups: &[Setup], offsets: &[usize]) -> Result<Option<Box<dyn Batch>>, LawError> {
+    let [one, wide] = [batch(setups, offsets, Width::One)?, batch(setups, offsets, Width::widest())?];
+    Ok(one.zip(wide).map(|(one, wide)| Box::new(few::Fitting::new(one, wide)) as Box<dyn Batch>))
 }

@@ -137,11 +137,11 @@ impl Width {
     /// It names none.
     pub fn named(lanes: &str) -> Result<Width, String> {
         match lanes {
-            "" => Ok(Width::widest()),
+            "" | "widest" => Ok(Width::widest()),
             "1" => Ok(Width::One),
             "4" => Ok(Width::Four),
             "8" => Ok(Width::Eight),
-            _ => Err(format!("GRANLAW_LANES={lanes} must be 1, 4 or 8")),
+            _ => Err(format!("GRANLAW_LANES={lanes} must be 1, 4, 8 or widest")),
         }
     }
 

@@ -7,7 +7,7 @@ mod recipe;
 mod scene;
 
 use granlaw::chain::Chain;
-use granlaw_lanes::{batch, Arrays, NonFinite, Trouble, Width};
+use granlaw_lanes::{batch, fitting, Arrays, NonFinite, Trouble, Width};
 use recipe::{chain_of, chains, for_all, Case, Draw, Recipe, Switches};
 use scene::Scene;
 
@@ -131,6 +131,33 @@ fn no_contact_is_missed_while_only_near_neighbours_are_looked_at() {
     assert!(began.into_inner() > 500, "hardly any contact began");
 }
 
+/// Between many particles and few nothing is kept, whichever way the contacts go.
+#[test]
+fn lists_grow_and_shrink_between_many_particles_and_few() {
+    let touched = std::sync::atomic::AtomicUsize::new(0);
+    for_all(&chain_of(&["hooke/hysteresis", "history"]), Switches::Any, 24, None, |r, _, d| {
+        let (mut one, mut all) =
+            (Chain::new(&r.setups, &offsets(r)).unwrap(), fitting(&r.setups, &offsets(r)).unwrap().unwrap());
+        let mut scene = Scene::draw(r.slots() + 2, d);
+        scene.crowd();
+        for (k, n) in [36, 6, 6, 36, 8, 9, 2].into_iter().enumerate() {
+            let mut a = scene.clone();
+            a.keep(n);
+            let mut b = a.clone();
+            touched.fetch_add(usize::from(n < 9) * a.touching(), std::sync::atomic::Ordering::Relaxed);
+            for rebuilt in [true, false] {
+                a.one_by_one(&mut one);
+                // SAFETY: the scene's own arrays.
+                unsafe { all.pass(&b.arrays(rebuilt)) }.map_err(|e| format!("{n} particles: {e:?}"))?;
+                a.compare(&b).map_err(|e| format!("{n} particles, list {k}: {e}"))?;
+            }
+        }
+        Ok(())
+    })
+    .unwrap();
+    assert!(touched.into_inner() > 50, "hardly anything touched");
+}
+
 #[test]
 fn a_wrong_bit_is_seen() {
     let faults: [(&str, Change); 4] = [
@@ -220,5 +247,5 @@ fn a_list_of_more_particles_than_there_are_is_refused() {
 fn lanes_are_named_in_words() {
     assert_eq!(Width::named("8"), Ok(Width::Eight));
     assert_eq!(Width::named(""), Ok(Width::widest()));
-    assert!(Width::named("3").unwrap_err().contains("must be 1, 4 or 8"));
+    assert!(Width::named("3").unwrap_err().contains("must be 1, 4, 8 or widest"));
 }

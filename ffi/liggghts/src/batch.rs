@@ -3,7 +3,7 @@ use granlaw::law::{Body, Contact, Gap, Meta, Surface};
 use granlaw_capi::abi::{granlaw_setup, granlaw_status};
 use granlaw_capi::convert::{non_finite, setups};
 use granlaw_capi::status::{boundary, Failure};
-use granlaw_lanes::{batch, Arrays, Batch, NonFinite, Trouble, Width};
+use granlaw_lanes::{batch, fitting, Arrays, Batch, NonFinite, Trouble, Width};
 use std::ffi::{c_char, CStr, CString};
 
 /// A chain for whole passes.
@@ -42,9 +42,13 @@ pub unsafe extern "C" fn granlaw_batch_new(
         // SAFETY: as above.
         let (setups, offsets) = unsafe { setups(setup) }?;
         let laws = setups.iter().map(|s| s.meta).collect();
-        let made = batch(&setups, &offsets, width).map_err(|e| Failure::refused(e.to_string()))?;
+        let (made, name) = match &*lanes {
+            "" if width != Width::One => (fitting(&setups, &offsets), format!("up to {}", width.name())),
+            _ => (batch(&setups, &offsets, width), width.name().into()),
+        };
+        let made = made.map_err(|e| Failure::refused(e.to_string()))?;
         if let Some(batch) = made {
-            let name = CString::new(width.name()).expect("a name without NUL");
+            let name = CString::new(name).expect("a name without NUL");
             *out = Box::into_raw(Box::new(Batched { batch, laws, name, passes: 0 }));
         }
         Ok(())

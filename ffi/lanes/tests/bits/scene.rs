@@ -102,6 +102,42 @@ impl Scene {
         self.x.as_flattened_mut().iter_mut().for_each(|x| *x *= 0.4);
     }
 
+    /// The first `n` particles alone.
+    pub fn keep(&mut self, n: usize) {
+        let listed = |k: usize| k < n;
+        let (ilist, numneigh) = (std::mem::take(&mut self.ilist), self.numneigh.clone());
+        let (neighbours, flags, history) = (
+            std::mem::take(&mut self.neighbours),
+            std::mem::take(&mut self.flags),
+            std::mem::take(&mut self.history),
+        );
+        let mut at = 0;
+        for i in ilist {
+            let row = at..at + numneigh[i as usize] as usize;
+            at = row.end;
+            if !listed(i as usize) {
+                continue;
+            }
+            self.ilist.push(i);
+            let stay: Vec<_> = row.filter(|k| listed(neighbours[*k] as usize & 0x1FFF_FFFF)).collect();
+            self.numneigh[i as usize] = stay.len() as i32;
+            for k in stay {
+                self.neighbours.push(neighbours[k]);
+                self.flags.push(flags[k]);
+                self.history.extend_from_slice(&history[self.row * k..][..self.row]);
+            }
+        }
+        for v in [&mut self.x, &mut self.v, &mut self.omega, &mut self.f, &mut self.torque] {
+            v.truncate(n);
+        }
+        for v in [&mut self.radius, &mut self.mass, &mut self.rigid] {
+            v.truncate(n);
+        }
+        self.kind.truncate(n);
+        self.mask.truncate(n);
+        self.owned = self.owned.min(n);
+    }
+
     pub fn shake(&mut self, d: &mut Draw<'_>) {
         let mut m = Many((d.unit() * 1e15) as u64);
         for k in 0..N {
@@ -156,7 +192,7 @@ impl Scene {
             flags: self.first_flag.as_ptr(),
             history: self.first_history.as_ptr(),
             rows: self.ilist.len(),
-            all: N,
+            all: self.x.len(),
             forced: self.owned,
             row: self.row,
             skin: self.skin,
@@ -247,7 +283,7 @@ impl Scene {
         let vectors = |a: &[[f64; 3]], b: &[[f64; 3]], what: &str| {
             let differ = |k: &usize| a[*k].map(f64::to_bits) != b[*k].map(f64::to_bits);
             let say = |k: usize| format!("{what} of {k} is {:?} where {:?} was expected", b[k], a[k]);
-            (0..N).find(differ).map_or(Ok(()), |k| Err(say(k)))
+            (0..a.len()).find(differ).map_or(Ok(()), |k| Err(say(k)))
         };
         vectors(&self.f, &o.f, "force")?;
         vectors(&self.torque, &o.torque, "torque")?;
