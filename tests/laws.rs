@@ -3,6 +3,8 @@
 mod beyond;
 #[path = "laws/lanes.rs"]
 mod lanes;
+#[path = "laws/motion.rs"]
+mod motion;
 #[path = "laws/paths.rs"]
 mod paths;
 #[path = "laws/planted.rs"]

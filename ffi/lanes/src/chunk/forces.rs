@@ -13,7 +13,8 @@ impl<L: Unit> Chunk<L> {
     #[inline(always)]
     pub fn hand_out(&self, p: &mut Particles<'_>, forced: usize) {
         let [first, last] = [0, self.n - 1].map(|k| self.pairs[k][0] as usize);
-        // With few contacts per particle nobody can tell whether the next one is of the same, so it is not asked.
+        // With few contacts per particle nobody can tell whether the next one is of the same, so it is not asked; one lane
+        // alone does not wait for the answer either.
         if L::WIDTH == 1 || FEW * last.abs_diff(first) > self.n {
             self.add_up::<true>(p, forced);
         } else {

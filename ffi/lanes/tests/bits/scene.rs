@@ -35,6 +35,8 @@ pub struct Scene {
 
 const N: usize = 36;
 const FROZEN: i32 = 2;
+/// The bits of a neighbour that are its index.
+const NEIGHBOUR: usize = 0x1FFF_FFFF;
 
 /// Numbers for all particles from a few draws.
 struct Many(u64);
@@ -119,7 +121,7 @@ impl Scene {
                 continue;
             }
             self.ilist.push(i);
-            let stay: Vec<_> = row.filter(|k| listed(neighbours[*k] as usize & 0x1FFF_FFFF)).collect();
+            let stay: Vec<_> = row.filter(|k| listed(neighbours[*k] as usize & NEIGHBOUR)).collect();
             self.numneigh[i as usize] = stay.len() as i32;
             for k in stay {
                 self.neighbours.push(neighbours[k]);
@@ -210,7 +212,7 @@ impl Scene {
         let mut at = 0;
         for &i in &self.ilist {
             for k in at..at + self.numneigh[i as usize] as usize {
-                let (i, j) = (i as usize, self.neighbours[k] as usize & 0x1FFF_FFFF);
+                let (i, j) = (i as usize, self.neighbours[k] as usize & NEIGHBOUR);
                 let d: [f64; 3] = std::array::from_fn(|c| self.x[i][c] - self.x[j][c]);
                 let reach = self.radius[i] + self.radius[j];
                 if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach {
