@@ -1,6 +1,6 @@
 //! What the README says of the code is what the code says of itself.
 use granlaw::laws::table::markdown;
-use granlaw::trace::columns_markdown;
+use granlaw_tools::trace::columns_markdown;
 use std::ops::Range;
 use std::path::Path;
 

@@ -2,8 +2,8 @@
 #[path = "reference/cdt_jkr.rs"]
 mod cdt_jkr;
 
-use granlaw::replay::{replay, replay_from, Replay, ReplayError};
-use granlaw::trace::{Header, Reader, Row, Writer};
+use granlaw_tools::replay::{replay, replay_from, Replay, ReplayError};
+use granlaw_tools::trace::{Header, Reader, Row, Writer};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Cursor;

@@ -4,7 +4,7 @@ mod page;
 #[path = "report/sample.rs"]
 mod sample;
 
-use granlaw::report::{write_all, Case, Curve, Outcome, Report, ReportError, Shows};
+use granlaw_tools::report::{write_all, Case, Curve, Outcome, Report, ReportError, Shows};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -3,9 +3,9 @@ use super::made::{
     bed, friction, header, hertz, hooke, hysteresis, impact, pressed, rolling, scene, MASS, RADIUS,
 };
 use approx::assert_relative_eq;
-use granlaw::advise::held::hold;
-use granlaw::advise::lived;
-use granlaw::probe::{Partners, Pressed};
+use granlaw_tools::advise::held::hold;
+use granlaw_tools::advise::lived;
+use granlaw_tools::probe::{Partners, Pressed};
 use std::f64::consts::PI;
 
 const DT: f64 = 1e-7;

@@ -1,8 +1,8 @@
 //! Probes of scenes made for the purpose: impacts and loads of two bodies, each counted by a follower.
 use granlaw::law::Body;
 use granlaw::pair::{run_while, Opened, Partner, Start};
-use granlaw::probe::{Call, Follower, Impact, Partners, Pressed, Probe, FORMAT};
-use granlaw::trace::{Handed, Header, LawSpec, Property};
+use granlaw_tools::probe::{Call, Follower, Impact, Partners, Pressed, Probe, FORMAT};
+use granlaw_tools::trace::{Handed, Header, LawSpec, Property};
 use nalgebra::Vector3;
 
 pub const RADIUS: f64 = 0.005;
@@ -108,7 +108,7 @@ pub fn impact(wall: bool, v: [f64; 3]) -> Impact {
         omega_i: [0.0; 3],
         omega_j: [0.0; 3],
         slip: v[1].hypot(v[2]),
-        end: granlaw::probe::End { steps: 1000, overlap: 1e-4, ..Default::default() },
+        end: granlaw_tools::probe::End { steps: 1000, overlap: 1e-4, ..Default::default() },
     }
 }
 

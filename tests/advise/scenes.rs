@@ -1,11 +1,11 @@
 //! Scenes for which the right advice is known.
 use super::made::{bed, friction, header, hertz, hooke, hysteresis, rolling, scene};
 use approx::assert_relative_eq;
-use granlaw::advise::fresh::fresh;
-use granlaw::advise::{advise, Advice, AdviceError, Change, Options, Rung, Scene};
 use granlaw::law::Kind;
-use granlaw::probe::Probe;
-use granlaw::trace::HeaderError;
+use granlaw_tools::advise::fresh::fresh;
+use granlaw_tools::advise::{advise, Advice, AdviceError, Change, Options, Rung, Scene};
+use granlaw_tools::probe::Probe;
+use granlaw_tools::trace::HeaderError;
 
 fn advice(probe: &Probe) -> Advice {
     advise(probe, Options::default()).expect("advice").0
@@ -129,7 +129,8 @@ fn lines_say_what_to_put_where() {
     };
     assert_eq!(a.lines[0].text, expected);
     assert!(a.lines.last().unwrap().text.starts_with("timestep "), "{:?}", a.lines);
-    let text = granlaw::advise::text(&granlaw::advise::Found { advice: a, check: None, fresh: None });
+    let text =
+        granlaw_tools::advise::text(&granlaw_tools::advise::Found { advice: a, check: None, fresh: None });
     assert!(text.contains("made.in: what each term contributes") && text.contains(expected), "{text}");
 }
 

@@ -1,6 +1,6 @@
 //! The upstream convention against what the header of LIGGGHTS-INL gave inside LIGGGHTS, call by call.
-use granlaw::replay::{replay, replay_from, Replay};
-use granlaw::trace::{Reader, Row, Writer};
+use granlaw_tools::replay::{replay, replay_from, Replay};
+use granlaw_tools::trace::{Reader, Row, Writer};
 use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};

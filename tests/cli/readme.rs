@@ -1,7 +1,7 @@
 //! The README's own commands, run as they stand there.
 use crate::built::source;
 use crate::live::{deck, live, program, Said, Scratch};
-use granlaw::deck::Deck;
+use granlaw_tools::deck::Deck;
 use std::fs;
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! `granlaw run`: LIGGGHTS with the plugin in it, and recording.
 use crate::live::{deck, live, Scratch};
-use granlaw::trace::{Reader, Row};
+use granlaw_tools::trace::{Reader, Row};
 use std::path::Path;
 
 const HEAD_ON: &str = "head_on_below_limit.in";

@@ -1,7 +1,7 @@
 //! `granlaw verify` over all decks, and everything that it leaves behind.
 use crate::built::source;
 use crate::live::{case, live, report, Said, Scratch};
-use granlaw::deck::Deck;
+use granlaw_tools::deck::Deck;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,7 +1,7 @@
 //! What the tests on the real LIGGGHTS share: whether it is here, decks, scratch folders, and what granlaw said.
 #![allow(dead_code, reason = "each test target uses a part of it")]
 use crate::built::{built, here};
-use granlaw::liggghts::{Host, Plugin, RunError};
+use granlaw_tools::liggghts::{Host, Plugin, RunError};
 use rustix::process::{kill_process, Pid, Signal};
 use serde_json::Value;
 use std::fs;

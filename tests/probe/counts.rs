@@ -2,7 +2,7 @@
 use super::scene::{feed, followed, hand, header, on_a_plane, probed, start, MASS, MU, RADIUS};
 use approx::assert_relative_eq;
 use granlaw::pair::{Partner, Start, State};
-use granlaw::probe::{Contacts, Counts, Follower, Probe, Session, TypePair, FORMAT};
+use granlaw_tools::probe::{Contacts, Counts, Follower, Probe, Session, TypePair, FORMAT};
 use nalgebra::Vector3;
 
 /// The states from the first with contact to the one after the last.
@@ -80,7 +80,7 @@ fn impact_duration_restitution_overlap_load_and_tension() {
     let en = seen[seen.len() - 2].contact.surface.en;
     let out = en.dot(&(after.contact.gap.i.v - after.contact.gap.j.v));
     let steps = seen.len() - 1;
-    let one = |h: &granlaw::probe::Histogram| {
+    let one = |h: &granlaw_tools::probe::Histogram| {
         assert_eq!(h.count(), 1);
         h.mean().unwrap()
     };
@@ -180,7 +180,7 @@ fn a_sample_stands_for_all() {
         one.restitution.mean().unwrap(),
         max_relative = 1e-12
     );
-    assert_eq!(some.impacts[0].examples.len(), granlaw::probe::KEPT);
+    assert_eq!(some.impacts[0].examples.len(), granlaw_tools::probe::KEPT);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Probes of runs inside LIGGGHTS against the traces of the same decks.
 use super::built::{built, has, here, must, source};
-use granlaw::probe::{Call, Probe, Session};
-use granlaw::trace::{Reader, Row};
+use granlaw_tools::probe::{Call, Probe, Session};
+use granlaw_tools::trace::{Reader, Row};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -169,7 +169,7 @@ fn walls_hand_out_the_weight_of_what_lies_on_them() {
     let wall = probe.chains.iter().find(|c| c.header.who.starts_with("wall")).expect("a wall");
     assert_eq!(probe.bulk.walls, std::slice::from_ref(&wall.header.who));
     // One sphere: all the momentum that the wall handed out is the change of its own.
-    let speed = |s: &granlaw::probe::Sample| (2.0 * s.kinetic / s.mass).sqrt();
+    let speed = |s: &granlaw_tools::probe::Sample| (2.0 * s.kinetic / s.mass).sqrt();
     assert_eq!((first.particles, last.particles), (1, 1));
     let pushed = last.walls[0].map(|i| i / last.mass);
     assert!(pushed[2] > 0.0 && speed(last) < speed(first), "{pushed:?}");

@@ -2,8 +2,8 @@
 use granlaw::chain::Chain;
 use granlaw::law::Body;
 use granlaw::pair::{states, Opened, Partner, Start, State};
-use granlaw::probe::{Call, Contacts, Follower};
-use granlaw::trace::{Handed, Header, LawSpec, Property};
+use granlaw_tools::probe::{Call, Contacts, Follower};
+use granlaw_tools::trace::{Handed, Header, LawSpec, Property};
 use nalgebra::Vector3;
 
 pub const MU: f64 = 0.2;

@@ -1,7 +1,7 @@
 //! Recorded calls of the `cdt_jkr` of LIGGGHTS_Flexible_Fibers through ours under `cdtJkrConvention upstream`.
 use super::{changed, folder, same_head, same_rows};
-use granlaw::replay::{replay, Replay};
-use granlaw::trace::{Header, Reader};
+use granlaw_tools::replay::{replay, Replay};
+use granlaw_tools::trace::{Header, Reader};
 use std::fs;
 
 const CASES: [&str; 5] = ["pair_free", "twist_off", "twist_on", "oblique_off", "wall"];
@@ -13,7 +13,7 @@ fn name(case: &str) -> String {
     format!("cdt_jkr/{case}.csv")
 }
 
-fn quantity<'a>(r: &'a Replay, name: &str) -> &'a granlaw::compare::Quantity {
+fn quantity<'a>(r: &'a Replay, name: &str) -> &'a granlaw_tools::compare::Quantity {
     r.quantities.iter().find(|q| q.name == name).unwrap()
 }
 

@@ -1,6 +1,6 @@
 //! Documents of studies: what their files say.
-use granlaw::report::page::*;
-use granlaw::report::{Check, Outcome, ReportError, Shows, Worst};
+use granlaw_tools::report::page::*;
+use granlaw_tools::report::{Check, Outcome, ReportError, Shows, Worst};
 use std::fs;
 
 fn mark(x: f64, y: f64, front: bool) -> Mark {

@@ -1,5 +1,5 @@
 //! A report made by hand that holds every outcome and every awkward number.
-use granlaw::report::{About, Case, Check, Curve, Outcome, Parameter, Report, Shows, Tolerance, Worst};
+use granlaw_tools::report::{About, Case, Check, Curve, Outcome, Parameter, Report, Shows, Tolerance, Worst};
 
 /// Five cases: agreed, disagreed, partly skipped, failed, and one without any check.
 pub fn report() -> Report {

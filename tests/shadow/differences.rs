@@ -1,8 +1,8 @@
 //! What counts as a difference, how large it is, and what is told of it.
 use granlaw::law::Body;
 use granlaw::pair::{states, Opened, Partner, Start};
-use granlaw::shadow::{Session, Shadow, Verdict};
-use granlaw::trace::{Handed, Header, LawSpec, Property, Row};
+use granlaw_tools::shadow::{Session, Shadow, Verdict};
+use granlaw_tools::trace::{Handed, Header, LawSpec, Property, Row};
 use nalgebra::Vector3;
 
 /// `hooke` and `history`, as LIGGGHTS runs them under its own names.

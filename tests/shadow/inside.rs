@@ -1,7 +1,7 @@
 //! Shadows of runs inside LIGGGHTS.
 use crate::built::{alone, must};
 use crate::live::{deck, live, plugin, program, text, Said, Scratch};
-use granlaw::trace::Reader;
+use granlaw_tools::trace::Reader;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -1,11 +1,11 @@
 //! LIGGGHTS itself: the settings raise its order, and it does what the maps say.
 use crate::built::{built, here};
 use granlaw::critical::rayleigh;
-use granlaw::liggghts::{Host, Plugin};
-use granlaw::study::live::{Bench, Who};
-use granlaw::study::shot::Shot;
-use granlaw::study::speed::{cases, Method, Truth};
-use granlaw::study::stability::{ask, choose, field, onset, Class, Place, Row, Scene};
+use granlaw_tools::liggghts::{Host, Plugin};
+use granlaw_tools::study::live::{Bench, Who};
+use granlaw_tools::study::shot::Shot;
+use granlaw_tools::study::speed::{cases, Method, Truth};
+use granlaw_tools::study::stability::{ask, choose, field, onset, Class, Place, Row, Scene};
 use std::time::Duration;
 
 /// LIGGGHTS and the plugin of this source, or a skip that is seen.

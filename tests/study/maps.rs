@@ -1,14 +1,14 @@
 //! Maps against linear theory where that is exact, and the counting of agreement.
 use granlaw::pair::{run, Start};
-use granlaw::study::stability::{agreement, onset, Asked, Class, Field, Found, Place};
-use granlaw::study::tied;
+use granlaw_tools::study::stability::{agreement, onset, Asked, Class, Field, Found, Place};
+use granlaw_tools::study::tied;
 
 fn field(name: &str) -> Field {
-    granlaw::study::stability::field(name).expect("a field")
+    granlaw_tools::study::stability::field(name).expect("a field")
 }
 
 /// A sphere at rest is a linear oscillator, so energy must be created where theory says.
-fn onset_by(theory: impl Fn(&granlaw::study::stability::Row) -> f64, name: &str) -> Result<(), String> {
+fn onset_by(theory: impl Fn(&granlaw_tools::study::stability::Row) -> f64, name: &str) -> Result<(), String> {
     let field = field(name);
     for row in &field.rows {
         let expected = theory(row) / row.unit();
@@ -95,7 +95,7 @@ fn a_wrong_critical_step_is_seen() {
     assert!(onset_by(|r| 1.05 * r.normal.step(), "rest-normal").is_err());
     assert!(onset_by(|r| 0.95 * r.normal.step(), "rest-normal").is_err());
     // Without the turning of the sphere: 2/ω of m* instead of 2/7 m*.
-    let still = |r: &granlaw::study::stability::Row| {
+    let still = |r: &granlaw_tools::study::stability::Row| {
         granlaw::critical::Mode { mass: r.normal.mass, ..r.tangential }.step()
     };
     assert!(onset_by(still, "rest-tangential").is_err());

@@ -1,7 +1,7 @@
 //! Better integrators against closed forms, and orders against what is claimed of them.
-use granlaw::study::adaptive::{self, Aim};
-use granlaw::study::speed::{cases, claims, Case, Claim, Curve, Measure, Method, Truth};
-use granlaw::study::{located, speed};
+use granlaw_tools::study::adaptive::{self, Aim};
+use granlaw_tools::study::speed::{cases, claims, Case, Claim, Curve, Measure, Method, Truth};
+use granlaw_tools::study::{located, speed};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 

@@ -1,10 +1,11 @@
 //! The checks on a study's page, each with a fault that turns it.
-use granlaw::liggghts::RunError;
-use granlaw::report::page::{Page, Spread};
-use granlaw::report::Outcome;
-use granlaw::study::{speed, stability, Options};
+use granlaw_tools::liggghts::RunError;
+use granlaw_tools::report::page::{Page, Spread};
+use granlaw_tools::report::Outcome;
+use granlaw_tools::study::{speed, stability, Options};
 
-const NONE: Result<granlaw::study::live::Bench, RunError> = Err(RunError::NoPlugin { looked: Vec::new() });
+const NONE: Result<granlaw_tools::study::live::Bench, RunError> =
+    Err(RunError::NoPlugin { looked: Vec::new() });
 
 fn is(page: &Page, check: &str) -> Option<Outcome> {
     page.checks.iter().find(|c| c.name == check).map(|c| c.outcome.clone())

@@ -1,8 +1,8 @@
 //! Advice on the time step from a probe made by hand.
 use granlaw::critical::{Mode, SAFE, SAFE_BOND};
-use granlaw::probe::{Contacts, Grains, Probe};
-use granlaw::study::timestep::{advise, Advice, Asked};
-use granlaw::trace::{Header, LawSpec, Property};
+use granlaw_tools::probe::{Contacts, Grains, Probe};
+use granlaw_tools::study::timestep::{advise, Advice, Asked};
+use granlaw_tools::trace::{Header, LawSpec, Property};
 use std::f64::consts::PI;
 
 type Given<'a> = &'a [(&'a str, &'a str, f64)];

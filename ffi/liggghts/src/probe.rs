@@ -1,11 +1,11 @@
 //! Counts what the C++ half sees of all chains. The structs are those of `cpp/recorder.hpp` and `cpp/probe.hpp`.
 use crate::recorder::{header, text, RecordedCall, RecordedChain, RecordedParticles};
 use crate::text::Text;
-use granlaw::probe::{Call, Particles, Probe, Session};
-use granlaw::trace::Handed;
 use granlaw_capi::abi::{granlaw_pass, granlaw_status, granlaw_surfaces_close_data};
 use granlaw_capi::convert::{contact, parted, slice};
 use granlaw_capi::status::{boundary, Failure};
+use granlaw_tools::probe::{Call, Particles, Probe, Session};
+use granlaw_tools::trace::Handed;
 use std::ffi::c_char;
 use std::path::Path;
 

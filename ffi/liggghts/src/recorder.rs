@@ -1,10 +1,10 @@
 //! Writes what the C++ half sees of a chain into a trace. The structs are those of `cpp/recorder.hpp`, field by field.
 use granlaw::law::{Gap, Settings, Surface, ATOM_PROPS};
 use granlaw::laws::LAWS;
-use granlaw::trace::{Handed, Header, LawSpec, Particle, Property, Row, TraceError, Writer};
 use granlaw_capi::abi::{granlaw_force_data, granlaw_pass, granlaw_status, granlaw_surfaces_intersect_data};
 use granlaw_capi::convert::{contact, parted, settings, slice};
 use granlaw_capi::status::{boundary, Failure};
+use granlaw_tools::trace::{Handed, Header, LawSpec, Particle, Property, Row, TraceError, Writer};
 use nalgebra::Vector3;
 use std::ffi::{c_char, CStr};
 use std::fs::File;

@@ -1,9 +1,9 @@
 //! The batched pass on calls that LIGGGHTS made one after the other: each becomes two particles of their own, so that
 //! what the pass adds to them is its answer to that call alone.
 use granlaw::law::LawError;
-use granlaw::shadow::{Answer, Session};
-use granlaw::trace::{Header, Row};
 use granlaw_lanes::{batch, Arrays, Batch, Width};
+use granlaw_tools::shadow::{Answer, Session};
+use granlaw_tools::trace::{Header, Row};
 use nalgebra::Vector3;
 
 /// Calls that wait for each other; as many as the pass takes at once.

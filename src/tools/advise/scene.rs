@@ -1,0 +1,220 @@
+//! What of a probe is lived through again: its important classes of contacts, and what the present chain makes of them.
+use super::classes::{counting, Sums};
+use super::cost::Pace;
+use super::errors::{astray, wrong, Errors, Sure};
+use super::held::{hold, Held};
+use super::lived::{self, Rebound};
+use super::rules::{FINE, PHASES, STUCK};
+use crate::probe::{Impact, Pressed, Probe};
+use crate::trace::{Header, HeaderError};
+use granlaw::chain::Chain;
+use granlaw::law::Reach;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Contacts of each class that a fit is made on; it is judged on all.
+const FEW: usize = 3;
+
+/// A class of contacts that is lived through again.
+#[derive(Clone, Debug, Serialize)]
+pub struct Group {
+    /// Which contacts, in words.
+    pub name: String,
+    /// The chain that they belong to.
+    pub chain: usize,
+    /// Atom types from 1, the lower first.
+    pub types: [usize; 2],
+    /// Share of all impacts; 0 for loads.
+    pub count: f64,
+    /// The share that it may have in another run: contacts are drawn, and their number is off by its root.
+    #[serde(skip)]
+    pub likely: f64,
+    /// Share of the momentum exchanged along normals by all contacts.
+    pub impulse: f64,
+    /// Share of the work that all contacts took out of the motion.
+    pub dissipated: f64,
+    /// The contacts, with what the present chain makes of them in very small steps.
+    #[serde(skip)]
+    pub contacts: Contacts,
+}
+
+/// The contacts of a class.
+#[derive(Clone, Debug)]
+pub enum Contacts {
+    /// Impacts.
+    Impacts(Vec<(Impact, Rebound)>),
+    /// Loads.
+    Loads(Vec<(Pressed, Held)>),
+}
+
+/// What is lived through again, and how.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The pair style and the wall fixes.
+    pub chains: Vec<Header>,
+    /// Contact calls of each.
+    pub calls: Vec<u64>,
+    /// Laws that act across gaps, with their chain: what they do is not lived through again, so that chain stays as it is.
+    pub untried: Vec<(usize, String)>,
+    /// Important classes.
+    pub groups: Vec<Group>,
+    /// Share of impacts and of momentum that the groups stand for.
+    pub covered: (f64, f64),
+    /// Circular frequency of the stiffest contact \[rad/s\].
+    pub omega: f64,
+    /// What the probed run took.
+    pub pace: Pace,
+}
+
+impl Scene {
+    /// The important classes of a probe, with the present chain in very small steps as the truth.
+    ///
+    /// # Errors
+    /// A chain has a law that granlaw lacks.
+    pub fn of(probe: &Probe) -> Result<Scene, HeaderError> {
+        let chains = probe.principal();
+        let mut untried = Vec::new();
+        for (k, c) in chains.iter().enumerate() {
+            let laws = c.header.chain()?;
+            untried
+                .extend(laws.laws().filter(|m| m.reach == Reach::Beyond).map(|m| (k, m.keyword.to_string())));
+        }
+        let tried = |k: &usize| untried.iter().all(|(chain, _)| chain != k);
+        let sums = Sums::of(chains.iter().enumerate().filter(|(k, _)| tried(k)).flat_map(|(_, c)| &c.pairs));
+        let mut groups = Vec::new();
+        let mut omega = 0.0f64;
+        for (k, c) in chains.iter().enumerate().filter(|(k, _)| tried(k)) {
+            for p in &c.pairs {
+                omega = omega.max(p.fastest.omega());
+                groups.extend(p.impacts.iter().map(|i| sums.group((k, c), p, i, true)));
+                groups.extend(p.pressed.iter().map(|l| sums.group((k, c), p, l, false)));
+            }
+        }
+        counting(&mut groups);
+        let (mut count, mut impulse) =
+            groups.iter().fold((0.0, 0.0), |(c, i), g| (c + g.count, i + g.impulse));
+        // Of none they are all.
+        count = if sums.count > 0.0 { count } else { 1.0 };
+        impulse = if sums.impulse > 0.0 { impulse } else { 1.0 };
+        let covered = (count, impulse);
+        let headers = chains.iter().map(|c| c.header.clone()).collect();
+        let calls = chains.iter().map(|c| c.calls).collect();
+        let mut scene =
+            Scene { chains: headers, calls, untried, groups, covered, omega, pace: Pace::of(probe) };
+        scene.live();
+        Ok(scene)
+    }
+
+    /// The same with some of its groups, and a few contacts of each.
+    pub(super) fn only(&self, of: impl Fn(&Group) -> bool) -> Scene {
+        let mut groups: Vec<_> = self.groups.iter().filter(|g| of(g)).cloned().collect();
+        groups.iter_mut().for_each(|g| match &mut g.contacts {
+            Contacts::Impacts(all) => all.truncate(FEW),
+            Contacts::Loads(all) => all.truncate(FEW),
+        });
+        Scene { chains: self.chains.clone(), calls: self.calls.clone(), untried: Vec::new(), groups, ..*self }
+    }
+
+    /// Whether a chain stays as it is: nothing that it does was tried.
+    pub(super) fn stays(&self, chain: usize) -> bool {
+        self.groups.iter().all(|g| g.chain != chain)
+    }
+
+    /// The step that counts as infinitely small \[s\].
+    pub fn fine(&self) -> f64 {
+        lived::half_period(self.omega) / FINE
+    }
+
+    /// The time step of the run \[s\].
+    pub fn dt(&self) -> f64 {
+        self.chains.first().map_or(0.0, |h| h.dt)
+    }
+
+    /// The truth of every group.
+    fn live(&mut self) {
+        let fine = self.fine();
+        let chains = &self.chains;
+        self.groups.par_iter_mut().for_each(|g| {
+            let mut bench = Bench::new(&chains[g.chain]).expect("its laws are known");
+            match &mut g.contacts {
+                Contacts::Impacts(all) => {
+                    all.iter_mut().for_each(|(i, r)| *r = bench.impact(i, fine, 0.5));
+                }
+                Contacts::Loads(all) => {
+                    all.iter_mut().for_each(|(l, r)| *r = hold(&mut bench.chain, l, bench.dt))
+                }
+            }
+        });
+    }
+
+    /// What chains get wrong of every group in steps of `dt` \[s\], and the highest circular frequency met \[rad/s\].
+    /// Loads are held at rest, so that `known` errors of theirs in another step need not be found again.
+    ///
+    /// # Errors
+    /// A law refuses.
+    pub fn try_out(
+        &self,
+        chains: &[Header],
+        dt: f64,
+        known: Option<&[Errors]>,
+        sure: Sure,
+    ) -> Result<(Vec<Errors>, f64), HeaderError> {
+        let tried = self.groups.par_iter().enumerate().map(|(k, g)| {
+            if let (Some(known), Contacts::Loads(_)) = (known, &g.contacts) {
+                return Ok((known[k], 0.0));
+            }
+            let mut bench = Bench::new(&chains[g.chain])?;
+            Ok(bench.errors(g, dt, sure))
+        });
+        let all: Vec<_> = tried.collect::<Result<_, HeaderError>>()?;
+        Ok((all.iter().map(|(e, _)| *e).collect(), all.iter().map(|(_, w)| *w).fold(0.0, f64::max)))
+    }
+}
+
+/// A chain to move bodies with, and a second one to ask.
+struct Bench {
+    chain: Chain,
+    laws: Chain,
+    /// Time step of the run, in which the contacts' durations are given \[s\].
+    dt: f64,
+}
+
+impl Bench {
+    fn new(header: &Header) -> Result<Bench, HeaderError> {
+        Ok(Bench { chain: header.chain()?, laws: header.chain()?, dt: header.dt })
+    }
+
+    fn impact(&mut self, i: &Impact, dt: f64, phase: f64) -> Rebound {
+        let longest = STUCK * i.end.steps as f64 * self.dt;
+        lived::impact(&mut self.chain, Some(&mut self.laws), i, (dt, phase, longest))
+    }
+
+    fn errors(&mut self, g: &Group, dt: f64, sure: Sure) -> (Errors, f64) {
+        let mut most = 0.0f64;
+        let mut seen = |errors, omega| {
+            most = most.max(omega);
+            errors
+        };
+        let errors = match &g.contacts {
+            Contacts::Impacts(all) => {
+                let one = |(k, (i, truth)): (usize, &(Impact, Rebound))| {
+                    let turns = PHASES.map(|turn| {
+                        // Contacts begin anywhere within a step; the golden section spreads evenly.
+                        let got = self.impact(i, dt, (turn + 0.618 * k as f64).fract());
+                        seen(wrong(i, truth, &got), got.omega)
+                    });
+                    Errors::halfway(turns)
+                };
+                all.iter().enumerate().map(one).collect()
+            }
+            Contacts::Loads(all) => {
+                let one = |(l, truth): &(Pressed, Held)| {
+                    let got = hold(&mut self.chain, l, self.dt);
+                    seen(astray(l, truth, &got), got.omega)
+                };
+                all.iter().map(one).collect()
+            }
+        };
+        (Errors::mean(errors, sure), most)
+    }
+}

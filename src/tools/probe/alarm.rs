@@ -1,0 +1,83 @@
+//! Says when the time step is too long for a contact at hand.
+use super::{Fastest, Follower, Grains};
+use granlaw::critical::{Mode, SAFE, SAFE_BOND};
+use granlaw::law::Kind;
+
+impl Follower {
+    /// A sentence for the first contact of a pair of types for which the time step is too long; once for each. Chains with
+    /// bonds are left out, see [`Follower::bonds_alarm`]: a bond is infinitely stiff where its compression begins.
+    pub fn alarm(&mut self) -> Option<String> {
+        let header = self.header();
+        if header.bonds().is_some() {
+            return None;
+        }
+        let dt = header.dt;
+        let laws: Vec<&str> =
+            header.laws.iter().filter(|l| acts(&l.kind)).map(|l| l.keyword.as_str()).collect();
+        let (who, laws) = (header.who.clone(), laws.join(" + "));
+        let (pairs, told) = self.told();
+        told.resize(pairs.len(), false);
+        let (pair, told) = pairs
+            .iter()
+            .zip(told)
+            .find(|(p, told)| !**told && mode(&p.fastest).is_some_and(|m| dt > m.safe()))?;
+        *told = true;
+        let (m, [i, j]) = (mode(&pair.fastest)?, pair.types);
+        Some(format!(
+            "the time step of {dt:.3e} is too long for {laws}, {who}, types {i}-{j}: a contact with k = {:.3e}, damping {:.3e} and \
+             m* = {:.3e} can create energy beyond {:.3e} ({SAFE} pi/omega) and is unstable beyond {:.3e}; said once. \
+             granlaw timestep DECK says more",
+            m.stiffness,
+            m.damping,
+            m.mass,
+            m.safe(),
+            m.step()
+        ))
+    }
+}
+
+impl Follower {
+    /// The same of the bonds that particles like these can have, two bodies alone.
+    pub(super) fn bonds_alarm(&mut self, grains: &[Grains]) -> Option<String> {
+        let keyword = self.header().bonds()?.keyword.clone();
+        let (dt, types, who) = (self.header().dt, self.header().types, self.header().who.clone());
+        let wall = who != "pair";
+        let (chain, told) = self.bonds()?;
+        let pairs = (0..types * types).map(|p| (p / types, p % types)).filter(|(i, j)| wall || i <= j);
+        for (i, j) in pairs {
+            let of = |kind: usize| grains.iter().find(|g| g.kind as usize == kind + 1);
+            let at = i * types + j;
+            let (Some(gi), gj) = (of(i).filter(|_| !told[at]), of(j)) else { continue };
+            if !wall && gj.is_none() {
+                continue;
+            }
+            let gj = gj.filter(|_| !wall);
+            let speed = gi.fastest + gj.map_or(0.0, |g| g.fastest);
+            let swings = gi.sizes(gj).into_iter().flat_map(|size| chain.swings((i, j), &size, speed));
+            let worst = swings.min_by(|a, b| Mode::from(*a).step().total_cmp(&Mode::from(*b).step()));
+            let Some(s) = worst.filter(|s| dt > Mode::from(*s).safe_bond()) else { continue };
+            told[at] = true;
+            let m = Mode::from(s);
+            return Some(format!(
+                "the time step of {dt:.3e} is too long for {keyword}, {who}, types {}-{}: {} of one bond alone can create energy beyond \
+                 {:.3e} ({SAFE_BOND} pi/omega) and is unstable beyond {:.3e}, and several on a particle sooner; said once. \
+                 granlaw timestep DECK says more",
+                i + 1,
+                j + 1,
+                s.name,
+                m.safe_bond(),
+                m.step()
+            ));
+        }
+        None
+    }
+}
+
+fn acts(kind: &str) -> bool {
+    [Kind::Normal, Kind::Cohesion].iter().any(|k| k.name() == kind)
+}
+
+/// The fastest contact as an oscillator; `None` if there was none.
+fn mode(f: &Fastest) -> Option<Mode> {
+    (f.stiffness > 0.0).then_some(Mode { stiffness: f.stiffness, damping: f.damping, mass: f.meff })
+}

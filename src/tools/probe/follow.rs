@@ -1,0 +1,357 @@
+//! Following the contacts of one chain on one rank.
+use super::live::{Live, Over};
+use super::tally::{Fastest, LawShare, TypePair};
+use super::work::Motion;
+use super::{Call, Contacts};
+use crate::trace::Header;
+use granlaw::chain::Chain;
+use granlaw::law::{Contact, Gap, Kind, Reach, Stage};
+use granlaw::laws::prop;
+use nalgebra::Vector3;
+use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+use std::time::Instant;
+
+/// At most so many contacts are followed at a time. When there are more, every second pair of particles is let go,
+/// chosen by a hash of their numbers, and those that stay count twice.
+pub const FOLLOWED: usize = 512;
+/// So few are all followed. Of more, at most a quarter, mostly an eighth: that keeps a probed run below 1.5
+/// times the time of a plain one, as following a contact costs more than evaluating it.
+const FEW: usize = 4;
+/// All of so many where the cost does not matter.
+const MANY: usize = 4096;
+
+/// One in so many calls is timed; calls come in no order that would have to do with it.
+const TIMED: u64 = 61;
+/// A call that seems to take longer did not have the processor \[s\].
+const LONGEST: f64 = 5e-6;
+
+/// Numbers of the partners, and what tells apart the meshes that number their triangles alike.
+type Key = (i64, i64, usize);
+
+/// Follows the contacts of one chain.
+pub struct Follower {
+    contacts: Contacts,
+    /// The laws, if granlaw has all of them, and their kinds.
+    chain: Option<Chain>,
+    kinds: Vec<Kind>,
+    /// Which of them act across gaps.
+    beyond: Vec<bool>,
+    /// Coefficient of friction of each pair of types; infinite where there is none.
+    mu: Vec<f64>,
+    /// Where the types of a call are in `contacts.pairs`.
+    places: Vec<Option<usize>>,
+    live: FxHashMap<Key, Live>,
+    /// So many are all followed, and never more than `most`.
+    few: usize,
+    most: usize,
+    /// Time that calls took \[s\].
+    seconds: f64,
+    /// The step at hand, the calls before it, and the calls in the step before.
+    step: i64,
+    before: u64,
+    touching: usize,
+    history: Vec<f64>,
+    /// The pairs of types for which the time step was said to be too long.
+    told: Vec<bool>,
+    /// The same of their bonds, by types.
+    told_bonds: Vec<bool>,
+    /// Momentum that a wall handed to particles \[N s\]; zero for the pair style.
+    pub(super) impulse: Vector3<f64>,
+}
+
+impl Follower {
+    /// For the chain of a header, with at most `most` contacts followed at a time.
+    pub fn new(header: Header, most: usize) -> Follower {
+        let chain = header.chain().ok();
+        let laws = || chain.iter().flat_map(Chain::laws);
+        let kinds = laws().map(|m| m.kind).collect();
+        let beyond = laws().map(|m| m.reach == Reach::Beyond).collect();
+        let friction = header.laws.iter().flat_map(|l| &l.properties).find(|p| p.name == prop::FRICTION.name);
+        let none = vec![f64::INFINITY; header.types * header.types];
+        // Without friction nothing slips in its sense.
+        let mu = friction.map_or(none, |p| {
+            p.values.iter().map(|mu| if *mu > 0.0 { *mu } else { f64::INFINITY }).collect()
+        });
+        let places = vec![None; header.types * header.types];
+        let contacts = Contacts { header, share: 1, calls: 0, followed: 0, residual: 0.0, pairs: Vec::new() };
+        let (live, history, told) = (FxHashMap::default(), Vec::new(), Vec::new());
+        let told_bonds = vec![false; places.len()];
+        Follower {
+            contacts,
+            chain,
+            kinds,
+            beyond,
+            mu,
+            places,
+            live,
+            few: FEW,
+            most,
+            seconds: 0.0,
+            step: i64::MIN,
+            before: 0,
+            touching: 0,
+            history,
+            told,
+            told_bonds,
+            impulse: Vector3::zeros(),
+        }
+    }
+
+    /// Follows as many contacts as there is room for, at any cost.
+    pub fn closely(mut self) -> Follower {
+        (self.few, self.most) = (MANY, MANY);
+        self
+    }
+
+    /// Time that following took, from a sample of the calls \[s\].
+    pub(super) fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
+    pub(super) fn header(&self) -> &Header {
+        &self.contacts.header
+    }
+
+    /// The pairs of types so far, and of which the alarm was told.
+    pub(super) fn told(&mut self) -> (&[TypePair], &mut Vec<bool>) {
+        (&self.contacts.pairs, &mut self.told)
+    }
+
+    /// The laws, if granlaw has all of them, and for which pairs of types the alarm of bonds was told.
+    pub(super) fn bonds(&mut self) -> Option<(&mut Chain, &mut Vec<bool>)> {
+        self.chain.as_mut().map(|chain| (chain, &mut self.told_bonds))
+    }
+
+    pub(super) fn calls(&self) -> u64 {
+        self.contacts.calls
+    }
+
+    /// Surfaces overlap, in a call of this chain. The result is whether the contact is one of those that are followed,
+    /// and [`Follower::touched`] is to be called; this one is cheap.
+    #[inline]
+    pub fn sees(&mut self, tags: (i64, i64)) -> bool {
+        self.contacts.calls += 1;
+        drawn(tags, self.contacts.share)
+    }
+
+    /// A wall pushed a particle for a step.
+    #[inline]
+    pub fn pushed(&mut self, force: &Vector3<f64>, dt: f64) {
+        self.impulse += force * dt;
+    }
+
+    /// A followed contact, in a call that may write history.
+    pub fn touched(&mut self, call: &Call<'_>) {
+        if !self.contacts.calls.is_multiple_of(TIMED) {
+            return self.follow(call);
+        }
+        let begun = Instant::now();
+        self.follow(call);
+        self.seconds += begun.elapsed().as_secs_f64().min(LONGEST) * TIMED as f64;
+    }
+
+    /// Surfaces do not overlap, in a call of this chain that may write history, with the history before it: what laws that act
+    /// across gaps bear is counted, of the pairs that are followed.
+    pub fn across(&mut self, types: (usize, usize), gap: &Gap, before: &[f64]) {
+        let share = self.contacts.share;
+        let Some(chain) = self.chain.as_mut().filter(|_| drawn((gap.i.tag, gap.j.tag), share)) else {
+            return;
+        };
+        let mut load = 0.0f64;
+        let beyond = &self.beyond;
+        let x = Contact { gap: *gap, ..Contact::default() };
+        chain.observe_each(types, &x, &before[..chain.row()], |k, t| {
+            if beyond[k] {
+                load = load.max(t.load);
+            }
+        });
+        // No bond, or one that bears nothing.
+        if load > 0.0 {
+            let at = self.place(types, gap.call.is_wall);
+            let gaps = &mut self.contacts.pairs[at].gaps;
+            gaps.time += gap.call.dt * share as f64;
+            gaps.load.add(load, share);
+        }
+    }
+
+    fn follow(&mut self, call: &Call<'_>) {
+        let g = &call.contact.gap;
+        let (i, j, place) = (g.i.tag, g.j.tag, call.place);
+        let key = if g.call.is_wall { (i, j, place) } else { (i.min(j), i.max(j), place) };
+        self.tick(g.call.step);
+        if self.live.len() >= self.room() && !self.live.contains_key(&key) {
+            self.make_room(g.call.step);
+            if !drawn((key.0, key.1), self.contacts.share) {
+                return;
+            }
+        }
+        let at = self.place(call.types, g.call.is_wall);
+        let mu = self.mu[call.types.0 * self.contacts.header.types + call.types.1];
+        let pair = &mut self.contacts.pairs[at];
+        let (step, share) = (g.call.step, self.contacts.share);
+        let new = |pair: &mut TypePair| Live::new(at, call, lot(key, step), share, pair);
+        let live = match self.live.entry(key) {
+            Entry::Vacant(v) => v.insert(new(pair)),
+            Entry::Occupied(o) if o.get().last == step => return,
+            Entry::Occupied(mut o) => {
+                if o.get().last < step - 1 {
+                    o.insert(new(pair)).end(Over::Gone, pair);
+                }
+                o.into_mut()
+            }
+        };
+        self.contacts.followed += 1;
+        let motion = Motion::of(call);
+        let (load, residual) = match (&mut self.chain, live.turn()) {
+            (Some(chain), turn) if turn > 0 => {
+                let weight = (live.weight() * turn) as f64;
+                laws((chain, &self.kinds), &mut self.history, call, &motion, weight, pair)
+            }
+            _ => (0.0, 0.0),
+        };
+        if self.chain.is_none() {
+            let (stiffness, damping) = (call.handed.kn, call.handed.gamman);
+            pair.fastest.meet(Fastest { stiffness, meff: g.meff, damping });
+        }
+        self.contacts.residual = self.contacts.residual.max(residual);
+        live.step(call, &motion, load, mu, pair);
+    }
+
+    /// Everything that is known once the run is over.
+    pub fn finish(mut self) -> Contacts {
+        for (_, live) in std::mem::take(&mut self.live) {
+            let at = live.at;
+            live.end(Over::End, &mut self.contacts.pairs[at]);
+        }
+        self.contacts.pairs.sort_by_key(|p| p.types);
+        self.contacts
+    }
+
+    fn tick(&mut self, step: i64) {
+        if step != self.step {
+            // The call at hand belongs to the new step.
+            let calls = self.contacts.calls.saturating_sub(1);
+            (self.touching, self.before, self.step) =
+                ((calls.saturating_sub(self.before)) as usize, calls, step);
+        }
+    }
+
+    fn room(&self) -> usize {
+        (self.touching / 4).clamp(self.few, self.most.max(self.few))
+    }
+
+    fn place(&mut self, (i, j): (usize, usize), wall: bool) -> usize {
+        let n = self.contacts.header.types;
+        if let Some(at) = self.places[i * n + j] {
+            return at;
+        }
+        let (low, high) = if wall { (i, j) } else { (i.min(j), i.max(j)) };
+        let at = self.contacts.pairs.len();
+        let name = |l: &crate::trace::LawSpec| format!("{} {}", l.kind, l.keyword);
+        let share = |l| LawShare { law: name(l), ..LawShare::default() };
+        let laws = match self.chain {
+            Some(_) => self.contacts.header.laws.iter().map(share).collect(),
+            None => Vec::new(),
+        };
+        self.contacts.pairs.push(TypePair { types: [low + 1, high + 1], laws, ..TypePair::default() });
+        self.places[low * n + high] = Some(at);
+        if !wall {
+            self.places[high * n + low] = Some(at);
+        }
+        at
+    }
+
+    /// Contacts that were not called in the last step are over; if that is not enough, every second pair is let go.
+    fn make_room(&mut self, step: i64) {
+        let pairs = &mut self.contacts.pairs;
+        let gone = self.live.extract_if(|_, l| l.last < step - 1);
+        gone.for_each(|(_, l)| {
+            let at = l.at;
+            l.end(Over::Gone, &mut pairs[at]);
+        });
+        // Room for a quarter more, or this would happen at every call.
+        while self.live.len() > self.room() * 3 / 4 {
+            self.contacts.share *= 2;
+            let share = self.contacts.share;
+            // What is let go was seen up to here, as if the run were over.
+            for (_, l) in self.live.extract_if(|key, _| !drawn((key.0, key.1), share)) {
+                let at = l.at;
+                l.end(Over::End, &mut self.contacts.pairs[at]);
+            }
+        }
+    }
+}
+
+/// What each law does; the result is the largest use of a limit, and how far their force is from that of the run.
+fn laws(
+    (chain, kinds): (&mut Chain, &[Kind]),
+    history: &mut Vec<f64>,
+    call: &Call<'_>,
+    motion: &Motion,
+    weight: f64,
+    pair: &mut TypePair,
+) -> (f64, f64) {
+    let (x, dt) = (call.contact, call.contact.gap.call.dt);
+    history.clear();
+    history.extend_from_slice(&call.before[..chain.row()]);
+    let faster = motion.faster(&x.surface);
+    let mut load = 0.0f64;
+    let mut fastest = Fastest { meff: x.gap.meff, ..Fastest::default() };
+    let shares = &mut pair.laws;
+    chain.observe_each(call.types, x, history, |k, t| {
+        load = load.max(t.load);
+        if matches!(kinds[k], Kind::Normal | Kind::Cohesion) {
+            fastest.stiffness += t.stiffness;
+            fastest.damping += t.damping;
+        }
+        // A normal dashpot acts on the mean velocity of its step, as all work here.
+        let damped = if kinds[k] == Kind::Normal { t.dissipated * faster } else { t.dissipated };
+        shares[k].observed(t.branch, damped, dt * weight);
+    });
+    pair.fastest.meet(fastest);
+    let mut before = Stage::default();
+    let mut all = Stage::default();
+    chain.touch_each(call.types, x, history, &mut all, |k, s| {
+        let force = (s.force - before.force) * call.share;
+        let torque = |now: Vector3<f64>, then: Vector3<f64>| (now - then) * call.share;
+        let torque_i = torque(s.torque_i, before.torque_i);
+        let torque_j =
+            if x.gap.call.is_wall { Vector3::zeros() } else { torque(s.torque_j, before.torque_j) };
+        add(&mut shares[k].work, motion.power(&force, &torque_i, &torque_j) * dt * weight);
+        add(&mut shares[k].impulse, force.norm() * dt * weight);
+        add(&mut shares[k].turn, torque_i.norm() * dt * weight);
+        before = *s;
+    });
+    let (ours, theirs) = (all.force * call.share, call.force);
+    let residual = if ours == theirs { 0.0 } else { (ours - theirs).norm() / ours.norm().max(theirs.norm()) };
+    (load, residual)
+}
+
+/// Adds what is a number: the overlap of surfaces that meet to the last bit may come out below zero, for which some springs
+/// have none, where a bond stands in their place.
+fn add(sum: &mut f64, x: f64) {
+    if x.is_finite() {
+        *sum += x;
+    }
+}
+
+/// Whether a pair of particles is among the one in `share` that are followed; `share` is a power of two.
+#[inline]
+fn drawn((i, j): (i64, i64), share: u64) -> bool {
+    share == 1 || mix(i.min(j), i.max(j)) & (share - 1) == 0
+}
+
+/// The lot of a contact that began in a step; not the bits that [`drawn`] looks at.
+fn lot(key: Key, step: i64) -> u32 {
+    (mix((mix(key.0, key.1) >> 1) as i64, step) >> 32) as u32
+}
+
+/// A hash whose every bit depends on every bit of both numbers (the finaliser of SplitMix64).
+#[inline]
+fn mix(a: i64, b: i64) -> u64 {
+    let mut z = (a as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (b as u64).rotate_left(32);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}

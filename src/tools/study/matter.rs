@@ -1,0 +1,146 @@
+//! Laws with their numbers, written once: a chain for our own integrations, lines of a deck for LIGGGHTS.
+use granlaw::chain::Chain;
+use granlaw::law::{Kind, LawError, Meta, Settings, Setup, Shape, Support, Values};
+use granlaw::laws::find;
+
+/// Laws with the property values and settings that a deck would give them; one material.
+#[derive(Clone, Debug, Default)]
+pub struct Matter {
+    /// Kinds and names, in the order in which they run.
+    pub laws: Vec<(Kind, &'static str)>,
+    /// Property values by name.
+    pub values: Vec<(&'static str, f64)>,
+    /// Settings with their options.
+    pub settings: Vec<(&'static str, &'static str)>,
+}
+
+/// Whose laws a deck asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Names {
+    /// LIGGGHTS's own names.
+    Stock,
+    /// Ours, ending in `/rs`.
+    Own,
+}
+
+impl Matter {
+    /// The same with one value in place of another.
+    pub fn with(mut self, name: &'static str, value: f64) -> Matter {
+        self.values.retain(|(n, _)| *n != name);
+        self.values.push((name, value));
+        self
+    }
+
+    /// The same with one setting in place of another.
+    pub fn set(mut self, name: &'static str, option: &'static str) -> Matter {
+        self.settings.retain(|(n, _)| *n != name);
+        self.settings.push((name, option));
+        self
+    }
+
+    /// The same with `centredDamping` and `touchFraction` on.
+    pub fn timed(self) -> Matter {
+        self.set("centredDamping", "on").set("touchFraction", "on")
+    }
+
+    /// A value, if it is given.
+    pub fn value(&self, name: &str) -> Option<f64> {
+        self.values.iter().find(|(n, _)| *n == name).map(|(_, v)| *v)
+    }
+
+    fn metas(&self) -> impl Iterator<Item = &'static Meta> + '_ {
+        self.laws.iter().map(|(kind, name)| find(*kind, name).expect("a law of LAWS").meta)
+    }
+
+    /// What the laws are made from.
+    ///
+    /// # Errors
+    /// A setting or option that a law does not have.
+    pub fn setups(&self) -> Result<Vec<Setup>, LawError> {
+        let one = |meta: &'static Meta| {
+            let mut settings = Settings::new(meta, false);
+            for (name, option) in &self.settings {
+                if meta.settings.iter().any(|s| s.name == *name) {
+                    settings.set(name, option)?;
+                }
+            }
+            let of = meta.props.iter().map(|p| self.value(p.name).into_iter().collect()).collect();
+            Ok(Setup { meta, settings, values: Values { types: 1, of }, nktv2p: 1.0 })
+        };
+        self.metas().map(one).collect()
+    }
+
+    /// The laws, prepared.
+    ///
+    /// # Errors
+    /// The first thing that a law refuses.
+    pub fn chain(&self) -> Result<Chain, LawError> {
+        Chain::packed(&self.setups()?)
+    }
+
+    /// The lines of a deck that give the properties.
+    pub fn properties(&self) -> String {
+        let mut seen: Vec<&str> = Vec::new();
+        let mut out = String::new();
+        for p in self.metas().flat_map(|m| m.props) {
+            let Some(value) = self.value(p.name).filter(|_| !seen.contains(&p.name)) else { continue };
+            seen.push(p.name);
+            let count = if p.shape == Shape::PerPair { "1 " } else { "" };
+            let (name, shape, k) = (p.name, p.shape.keyword(), seen.len());
+            out += &format!("fix p{k} all property/global {name} {shape} {count}{value:?}\n");
+        }
+        out
+    }
+
+    /// Whether LIGGGHTS alone cannot run this: a law that it lacks, or a setting of ours.
+    pub fn needs_ours(&self) -> bool {
+        let ours = |name: &str| {
+            self.metas().flat_map(|m| m.settings).any(|s| s.name == name && s.support == Support::OwnOnly)
+        };
+        self.metas().any(|m| m.stock_id.is_none()) || self.settings.iter().any(|(name, _)| ours(name))
+    }
+
+    /// The words of `pair_style gran` or `fix wall/gran` that choose the laws.
+    pub fn models(&self, names: Names) -> String {
+        let one = |(kind, name): &(Kind, &str)| {
+            let own = names == Names::Own || find(*kind, name).is_some_and(|e| e.meta.stock_id.is_none());
+            format!("{} {name}{}", kind.keyword(), if own { "/rs" } else { "" })
+        };
+        self.laws.iter().map(one).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The words that switch the settings, behind everything else; those that only our own laws have need our names.
+    pub fn switches(&self, names: Names) -> String {
+        let known = |name: &str| {
+            let settings = || self.metas().flat_map(|m| m.settings);
+            settings().any(|s| s.name == name && (names == Names::Own || s.support != Support::OwnOnly))
+        };
+        let given = self.settings.iter().filter(|(name, _)| known(name));
+        given.map(|(name, option)| format!(" {name} {option}")).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_deck_says_what_the_chain_is_made_of() {
+        let matter = Matter {
+            laws: vec![(Kind::Normal, "hooke"), (Kind::Tangential, "history")],
+            values: vec![("youngsModulus", 5e6), ("coefficientFriction", 0.5)],
+            settings: vec![("tangential_damping", "off")],
+        };
+        let lines = "fix p1 all property/global youngsModulus peratomtype 5000000.0\n\
+                     fix p2 all property/global coefficientFriction peratomtypepair 1 0.5\n";
+        assert_eq!(matter.properties(), lines);
+        assert_eq!(matter.models(Names::Stock), "model hooke tangential history");
+        assert_eq!(matter.switches(Names::Stock), " tangential_damping off");
+        let timed = matter.clone().timed();
+        assert_eq!(timed.models(Names::Own), "model hooke/rs tangential history/rs");
+        assert_eq!(timed.switches(Names::Own), " tangential_damping off centredDamping on touchFraction on");
+        assert_eq!(timed.switches(Names::Stock), " tangential_damping off");
+        assert!(timed.needs_ours() && !matter.needs_ours());
+        assert!(timed.chain().is_err(), "values are missing");
+    }
+}

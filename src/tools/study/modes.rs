@@ -1,0 +1,83 @@
+//! The modes that a contact of two bodies reaches: what limits the time step.
+use super::shot::Shot;
+use granlaw::chain::Chain;
+use granlaw::critical::Mode;
+use granlaw::law::{Call, Contact, Gap, Kind, Size, Surface, Terms};
+use granlaw::pair::run_while;
+use std::f64::consts::PI;
+
+/// The stiffest modes that a contact reaches.
+#[derive(Clone, Copy, Debug)]
+pub struct Modes {
+    /// Along the normal.
+    pub normal: Mode,
+    /// Along the surface, the turning of the spheres included; without stiffness if there is no shear spring.
+    pub tangential: Mode,
+    /// Half a period of the softest loading \[s\]: how long a contact lasts, to within a factor of two.
+    pub period: f64,
+}
+
+/// Steps per half period of the first loading in which a contact is looked at.
+const FINE: f64 = 4000.0;
+
+/// Moves the bodies by `chain` from first touch to last and looks at the contact by `observer`, of the same laws. Bodies that
+/// rest on a wall are looked at as they lie.
+pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
+    let meff = shot.meff();
+    let (mut normal, mut tangential) =
+        (Mode { mass: meff, ..Mode::default() }, Mode { mass: turning(shot), ..Mode::default() });
+    let mut soft = f64::INFINITY;
+    let first = loading(observer, shot);
+    let dt = PI * (meff / first).sqrt() / FINE;
+    let start = shot.start(dt, 0.0, if shot.rest.is_some() { 2 } else { 6 * FINE as u64 });
+    let shear = chain.laws().find(|m| m.kind == Kind::Tangential).map(|m| !m.slots.is_empty());
+    let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
+    let mut touched = false;
+    run_while(chain, &start, |s| {
+        if !s.touching {
+            return !touched;
+        }
+        touched = true;
+        let t = along_normal(&kinds, &observer.observe(shot.types, &s.contact, &s.history));
+        if t.0 > normal.stiffness {
+            (normal.stiffness, normal.damping) = t;
+        }
+        if t.0 > 0.0 {
+            soft = soft.min(t.0);
+        }
+        let spring = if shear == Some(true) { s.stage.kt } else { 0.0 };
+        if shear.is_some() && spring >= tangential.stiffness {
+            (tangential.stiffness, tangential.damping) = (spring, s.stage.gammat.max(tangential.damping));
+        }
+        true
+    });
+    // A Hertz contact begins with no stiffness at all; its period is that of a fair depth.
+    let soft = soft.max(0.3 * normal.stiffness.min(first));
+    Modes { normal, tangential, period: PI * (meff / soft).sqrt() }
+}
+
+/// Loading stiffness \[N/m\] at an overlap of a hundredth of the radius of i.
+pub fn loading(chain: &mut Chain, shot: &Shot) -> f64 {
+    let [i, j] = shot.bodies();
+    let call = Call { is_wall: shot.wall, ..Call::default() };
+    let gap = Gap { call, i, j, meff: shot.meff(), ..Gap::default() };
+    let surface = Surface { deltan: 0.01 * shot.radius, ..Surface::default() };
+    let row = vec![0.0; chain.row()];
+    let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
+    along_normal(&kinds, &chain.observe(shot.types, &Contact { gap, surface }, &row)).0
+}
+
+/// Stiffness \[N/m\] and damping \[N s/m\] along the normal, of all laws that act there.
+fn along_normal(kinds: &[Kind], terms: &[Terms]) -> (f64, f64) {
+    let normal = kinds.iter().zip(terms).filter(|(k, _)| matches!(k, Kind::Normal | Kind::Cohesion));
+    normal.fold((0.0, 0.0), |(k, g), (_, t)| (k + t.stiffness, g + t.damping))
+}
+
+/// The mass that a force along the surface moves \[kg\].
+fn turning(shot: &Shot) -> f64 {
+    let [i, j] = shot.bodies();
+    let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
+    let size = Size { radi, radj, massi, massj, meff: shot.meff(), is_wall: shot.wall };
+    let (ti, tj) = size.mobilities();
+    1.0 / (1.0 / size.meff + radi * radi * ti + radj * radj * tj)
+}

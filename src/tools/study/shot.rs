@@ -1,0 +1,273 @@
+//! One contact from first touch to last: two spheres, or a sphere and a wall, shot at each other.
+use super::tied::{beads, Tied};
+use granlaw::law::Body;
+use granlaw::pair::{Opened, Partner, Start, State};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// How two bodies meet. A pair meets along x, its centre of mass at rest; a wall lies at z = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shot {
+    /// Radius of i \[m\].
+    pub radius: f64,
+    /// Radius of j over that of i.
+    pub ratio: f64,
+    /// Density of i \[kg/m³\].
+    pub density: f64,
+    /// Density of j over that of i.
+    pub heavier: f64,
+    /// Atom types, from 0; of a wall, that of its material.
+    pub types: (usize, usize),
+    /// Whether i meets a wall.
+    pub wall: bool,
+    /// Normal speed of approach \[m/s\].
+    pub speed: f64,
+    /// Tangential velocity of i against its partner \[m/s\].
+    pub slide: f64,
+    /// Instead of all that, a sphere that rests on the wall and gets `speed` and `slide`.
+    pub rest: Option<Rest>,
+    /// Instead, bonded spheres in a row along x; with `rest`, one that hangs on the wall by a bond.
+    pub tied: Option<Tied>,
+}
+
+/// A sphere that rests on the wall by its weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: f64,
+    /// Overlap at rest \[m\]; of one that hangs, how far its bond is stretched.
+    pub sunk: f64,
+    /// How long it is followed \[s\].
+    pub time: f64,
+    /// Whether it begins to roll without sliding; else it has no spin.
+    pub rolls: bool,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outcome {
+    /// Normal speed of separation over that of approach, along the line of the approach.
+    pub restitution: f64,
+    /// Largest normal force \[N\].
+    pub peak: f64,
+    /// From first touch to last \[s\].
+    pub duration: f64,
+    /// Spin of i about the axis that friction turns it about \[rad/s\].
+    pub spin: f64,
+    /// Kinetic energy, turning included, over that before, in the frame in which the centre of mass rests.
+    pub energy: f64,
+    /// How far i has come along x \[m\].
+    pub distance: f64,
+    /// What is left of the tangential speed; of a sphere that hangs, of the speed at which it swung through its place at first.
+    pub left: f64,
+    /// Whether the surfaces are apart at the end.
+    pub apart: bool,
+    /// Whether the surfaces parted.
+    pub parted: bool,
+    /// Whether all numbers stayed finite.
+    pub finite: bool,
+    /// Normal force \[N\] over the time since first touch \[s\].
+    pub force: Vec<(f64, f64)>,
+}
+
+impl Shot {
+    /// Two equal spheres that meet head-on.
+    pub const fn head_on(radius: f64, density: f64, speed: f64) -> Shot {
+        let (ratio, heavier, types) = (1.0, 1.0, (0, 0));
+        Shot {
+            radius,
+            ratio,
+            density,
+            heavier,
+            types,
+            wall: false,
+            speed,
+            slide: 0.0,
+            rest: None,
+            tied: None,
+        }
+    }
+
+    /// The bodies, just touching; of a row, the first two where its bonds begin.
+    pub fn bodies(&self) -> [Body; 2] {
+        if let Some(tied) = self.row() {
+            let all = beads(self, &tied);
+            return [all[0], all[1]];
+        }
+        let sphere = |tag: i64, radius: f64| Body {
+            tag,
+            radius,
+            mass: 4.0 / 3.0 * PI * radius.powi(3) * self.density,
+            ..Body::default()
+        };
+        let (mut i, mut j) = (sphere(1, self.radius), sphere(2, self.radius * self.ratio));
+        j.mass *= self.heavier;
+        if let (Some(tied), true) = (self.tied, self.wall) {
+            i.x = Vector3::z() * (i.radius + tied.gap);
+            return [i, Body::default()];
+        }
+        if let Some(rest) = self.rest {
+            (i.x, i.v) = (Vector3::z() * (i.radius - rest.sunk), Vector3::new(self.slide, 0.0, -self.speed));
+            if rest.rolls {
+                i.omega = Vector3::y() * (self.slide / (i.radius - 0.5 * rest.sunk));
+            }
+            return [i, Body::default()];
+        }
+        if self.wall {
+            (i.x, i.v) = (Vector3::z() * i.radius, Vector3::new(self.slide, 0.0, -self.speed));
+            return [i, Body::default()];
+        }
+        (i.x, j.x) = (Vector3::x() * i.radius, Vector3::x() * -j.radius);
+        let (v, total) = (Vector3::new(-self.speed, self.slide, 0.0), i.mass + j.mass);
+        (i.v, j.v) = (v * (j.mass / total), v * -(i.mass / total));
+        [i, j]
+    }
+
+    /// Effective mass \[kg\].
+    pub fn meff(&self) -> f64 {
+        let [i, j] = self.bodies();
+        if self.wall {
+            i.mass
+        } else {
+            i.mass * j.mass / (i.mass + j.mass)
+        }
+    }
+
+    /// The start of an integration, `before` steps ahead of first touch.
+    pub fn start(&self, dt: f64, before: f64, steps: u64) -> Start {
+        let mut bodies = self.bodies();
+        for body in bodies.iter_mut().filter(|_| self.rest.is_none()) {
+            body.x -= body.v * (dt * before);
+        }
+        let partner = match self.wall {
+            true => Partner::Plane { point: Vector3::zeros(), normal: Vector3::z() },
+            false => Partner::Free,
+        };
+        let gravity = Vector3::z() * self.rest.map_or(0.0, |r| -r.gravity);
+        let opened = if self.tied.is_some() { Opened::Closes } else { Opened::Keeps };
+        let types = self.types;
+        Start { bodies, types, partner, dt, steps, first: 0, gravity, opened }
+    }
+
+    fn normal(&self) -> Vector3<f64> {
+        if self.wall {
+            Vector3::z()
+        } else {
+            Vector3::x()
+        }
+    }
+
+    /// How spheres are bonded in a row, if they are.
+    pub fn row(&self) -> Option<Tied> {
+        self.tied.filter(|_| !self.wall)
+    }
+
+    /// All bodies that move, where it begins.
+    fn begun(&self) -> Vec<Body> {
+        match self.row() {
+            Some(tied) => beads(self, &tied),
+            _ => self.bodies()[..if self.wall { 1 } else { 2 }].to_vec(),
+        }
+    }
+
+    /// What the motion of the bodies says, of a row from its first to its last; forces and times are left to the caller.
+    pub fn judge(&self, bodies: &[Body]) -> Outcome {
+        let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
+        let apart = if self.wall { i.v } else { i.v - j.v }.dot(&self.normal());
+        let left = match (self.rest, self.tied) {
+            (Some(r), Some(_)) => i.v.z / (r.gravity * r.sunk).abs().sqrt(),
+            _ => i.v.x / self.slide,
+        };
+        let outcome = Outcome {
+            restitution: apart / self.speed,
+            spin: if self.wall { i.omega.y } else { i.omega.z },
+            energy: self.energy(if self.wall { &bodies[..1] } else { bodies }),
+            distance: i.x.x,
+            left,
+            apart: self.overlap(bodies) < 0.0,
+            ..Outcome::default()
+        };
+        let finite = [outcome.distance, outcome.spin, outcome.energy].iter().all(|x| x.is_finite());
+        Outcome { finite, ..outcome }
+    }
+
+    /// Kinetic energy over that before; of a sphere that rests, with that of its spring; of one that hangs, over what it won by
+    /// falling to its place.
+    fn energy(&self, bodies: &[Body]) -> f64 {
+        let one = |b: &Body| {
+            0.5 * b.mass * (b.v.norm_squared() + 0.4 * b.radius * b.radius * b.omega.norm_squared())
+        };
+        let kinetic = |all: &[Body]| all.iter().map(one).sum::<f64>();
+        let Some(r) = self.rest else { return kinetic(bodies) / kinetic(&self.begun()) };
+        if self.tied.is_some() {
+            return kinetic(bodies) / (0.5 * bodies[0].mass * (r.gravity * r.sunk).abs());
+        }
+        let all = |b: &[Body]| {
+            // The spring of a sphere at rest, about its place.
+            let off = b[0].x.z - (b[0].radius - r.sunk);
+            kinetic(b) + 0.5 * b[0].mass * r.gravity / r.sunk * off * off
+        };
+        all(bodies) / all(&self.begun())
+    }
+
+    /// How deep the surfaces overlap \[m\]; negative when apart. Of a row, how far it is from its length, towards where it is
+    /// set going.
+    pub fn overlap(&self, bodies: &[Body]) -> f64 {
+        let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
+        if self.wall {
+            return i.radius - i.x.z;
+        }
+        let length = (i.x - j.x).norm();
+        if self.row().is_some() {
+            let begun = self.begun();
+            return self.speed.signum() * ((begun[0].x - begun[begun.len() - 1].x).norm() - length);
+        }
+        i.radius + j.radius - length
+    }
+}
+
+/// Follows an integration step by step and says when the contact is over.
+#[derive(Debug)]
+pub struct Follow<'a> {
+    shot: &'a Shot,
+    start: &'a Start,
+    before: f64,
+    with_force: bool,
+    overlap: f64,
+    seen: Outcome,
+}
+
+impl<'a> Follow<'a> {
+    /// An integration that begins `before` steps ahead of first touch; forces are kept if asked for.
+    pub fn new(shot: &'a Shot, start: &'a Start, before: f64, with_force: bool) -> Follow<'a> {
+        Follow { shot, start, before, with_force, overlap: 0.0, seen: Outcome::default() }
+    }
+
+    /// Sees a state; whether to go on.
+    pub fn step(&mut self, s: &State) -> bool {
+        if self.shot.rest.is_some() {
+            return s.bodies[0].x.x.is_finite();
+        }
+        let overlap = self.shot.overlap(&s.bodies);
+        let dt = self.start.dt;
+        let time = dt * ((s.step - self.start.first) as f64 - self.before);
+        let was = std::mem::replace(&mut self.overlap, overlap);
+        if s.touching {
+            self.seen.peak = self.seen.peak.max(s.stage.fn_);
+            if self.with_force {
+                self.seen.force.push((time, s.stage.fn_));
+            }
+        } else if time > dt {
+            // Surfaces part between two steps, with an all but constant velocity.
+            self.seen.duration = time + dt * overlap / (was - overlap);
+            self.seen.parted = true;
+        }
+        !self.seen.parted && overlap.is_finite()
+    }
+
+    /// What came of it.
+    pub fn end(self, bodies: &[Body]) -> Outcome {
+        let Outcome { peak, duration, parted, force, .. } = self.seen;
+        Outcome { peak, duration, parted, force, ..self.shot.judge(bodies) }
+    }
+}

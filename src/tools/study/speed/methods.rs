@@ -1,0 +1,126 @@
+//! The methods: how a contact is integrated.
+use super::bonds;
+use super::cases::{Case, Measure};
+use super::truth::Truth;
+use crate::study::matter::Matter;
+use crate::study::shot::{Follow, Outcome};
+use crate::study::tied::{self, Look};
+use crate::study::{adaptive, located, single};
+use granlaw::chain::Chain;
+use granlaw::pair::run_while;
+
+/// How a contact is integrated, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// LIGGGHTS with its own laws.
+    Stock,
+    /// LIGGGHTS with our laws in their place.
+    Plugin,
+    /// LIGGGHTS with our laws and both settings on.
+    PluginTimed,
+    /// LIGGGHTS's scheme here.
+    Verlet,
+    /// The same with both settings on.
+    VerletTimed,
+    /// The same in single precision.
+    Single,
+    /// Fixed steps that end at events.
+    Located,
+    /// Adaptive extrapolation.
+    Adaptive,
+}
+
+/// Those that need no LIGGGHTS.
+pub const OURS: [Method; 5] =
+    [Method::Verlet, Method::VerletTimed, Method::Single, Method::Located, Method::Adaptive];
+
+impl Method {
+    /// The name in legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Stock => "LIGGGHTS, its own laws",
+            Method::Plugin => "LIGGGHTS, Rust laws",
+            Method::PluginTimed => "LIGGGHTS, Rust laws, both settings",
+            Method::Verlet => "velocity Verlet",
+            Method::VerletTimed => "velocity Verlet, both settings",
+            Method::Single => "velocity Verlet, single precision",
+            Method::Located => "steps that end at events",
+            Method::Adaptive => "adaptive extrapolation",
+        }
+    }
+
+    /// Whether it runs in LIGGGHTS.
+    pub fn is_live(self) -> bool {
+        matches!(self, Method::Stock | Method::Plugin | Method::PluginTimed)
+    }
+
+    /// The laws as this method wants them.
+    pub fn matter(self, case: &Case) -> Matter {
+        match self {
+            Method::PluginTimed | Method::VerletTimed => case.matter.clone().timed(),
+            _ => case.matter.clone(),
+        }
+    }
+}
+
+/// A method that is ready to run a case again and again.
+pub struct Runner<'a> {
+    method: Method,
+    case: &'a Case,
+    matter: Matter,
+    chain: Chain,
+    duration: f64,
+}
+
+impl<'a> Runner<'a> {
+    /// Prepared; `None` where the method does not do the case.
+    pub fn new(method: Method, case: &'a Case, truth: &Truth) -> Option<Runner<'a>> {
+        let matter = method.matter(case);
+        let chain = matter.chain().ok()?;
+        let duration = truth.outcome.duration;
+        let works = match method {
+            Method::Single => single::impact(&matter, &case.shot, 0.1 * duration, 0.5).is_some(),
+            Method::Located | Method::Adaptive => match case.shot.row() {
+                Some(tied) => tied.beads == 2 && case.measure == Measure::Restitution,
+                None => case.shot.rest.is_none(),
+            },
+            // Bonds have no such settings.
+            Method::VerletTimed | Method::PluginTimed | Method::Stock => case.shot.row().is_none(),
+            _ => true,
+        };
+        works.then_some(Runner { method, case, matter, chain, duration })
+    }
+
+    /// One contact in about `n` steps, first touch `before` steps after the start; with the force history if asked for.
+    /// The adaptive method takes `n` for the inverse of its tolerance.
+    pub fn run(&mut self, n: f64, before: f64, with_force: bool) -> Outcome {
+        let (shot, h) = (&self.case.shot, self.duration / n);
+        match self.method {
+            Method::Verlet if shot.row().is_some() => {
+                let tied = shot.row().expect("a row");
+                let look =
+                    if self.case.measure == Measure::Spin { Look::End } else { Look::Once { with_force } };
+                tied::run(&mut self.chain, shot, &tied, bonds::steps(self.case, self.duration, n), look)
+            }
+            Method::Single => single::impact(&self.matter, shot, h, before).unwrap_or_default(),
+            Method::Located => located::impact(&mut self.chain, shot, h, with_force).0,
+            Method::Adaptive => {
+                let duration = self.duration;
+                let aim = adaptive::Aim { tolerance: 1.0 / n, duration, longest: 0.3, with_force };
+                adaptive::impact(&mut self.chain, shot, &aim).0
+            }
+            _ => {
+                // Twenty times as long as it should take: what still sticks then counts as stuck.
+                let steps = shot.rest.map_or(20.0 * n, |r| r.time / h);
+                let start = shot.start(h, before, steps as u64);
+                let mut follow = Follow::new(shot, &start, before, with_force);
+                let mut last = start.bodies;
+                run_while(&mut self.chain, &start, |s| {
+                    last = s.bodies;
+                    follow.step(s)
+                });
+                follow.end(&last)
+            }
+        }
+    }
+}

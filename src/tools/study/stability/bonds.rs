@@ -1,0 +1,193 @@
+//! The fields of bonds: spheres of 1 mm in a row, or one on a wall, with a gap that the bonds act across.
+use super::fields::{values, Plan};
+use super::row::{Row, Scene};
+use crate::study::bond::{Bond, MODES};
+use crate::study::matter::Matter;
+use crate::study::shot::{Rest, Shot};
+use crate::study::tied::{beads, Tied, Way};
+use granlaw::critical::Mode;
+use granlaw::law::{Size, Swing};
+
+const SHOT: Shot = Shot::head_on(5e-4, 2500.0, 0.1);
+/// Between surfaces where bonds begin \[m\]; no swing of these fields closes it.
+const GAP: f64 = 1e-4;
+/// Steps that bonds which unload otherwise than they load are followed for.
+const LONG: u64 = 3072;
+/// The same of straight ones, whose energy beyond their limit soon is no finite number.
+const SHORT: u64 = 256;
+/// What unloading and the line through zero are over the stiffness of first loading, unless a field says otherwise.
+const UNLOADING: f64 = 2.0;
+const HEALING: f64 = 0.5;
+
+/// A bond that unloads `ku` times as stiff as it loads, with these modes only and damping of `eta`.
+fn bond(ku: f64, eta: f64, modes: &[&'static str]) -> Matter {
+    let k = [4e7, 1e10, 4e9, 4e9, 1e10];
+    Bond { radius: SHOT.radius, gap: GAP, k, over: [ku, HEALING], eta, modes }.matter()
+}
+
+const BOTH: [&str; 2] = ["compressionStress", "tensionStress"];
+
+fn row(beads: usize, way: Way) -> Shot {
+    Shot { slide: 1e-4, tied: Some(Tied { beads, gap: GAP, way }), ..SHOT }
+}
+
+/// A row swings as fast along itself, or in its only mode, as this many times the ω² of two bodies: of a chain of straight
+/// springs, alike and free at its ends, `2 cos²(π/2N)`.
+fn chained(beads: usize) -> f64 {
+    2.0 * (std::f64::consts::PI / (2 * beads) as f64).cos().powi(2)
+}
+
+/// The modes of two of a row's spheres, blows at `speed` \[m/s\].
+fn swings(matter: &Matter, shot: &Shot, speed: f64) -> Vec<Swing> {
+    let all = beads(shot, &shot.tied.expect("a row"));
+    let (i, j) = (&all[0], &all[1]);
+    let meff = i.mass * j.mass / (i.mass + j.mass);
+    let size = Size { radi: i.radius, radj: j.radius, massi: i.mass, massj: j.mass, meff, is_wall: false };
+    matter.chain().expect("a sound bond").swings((0, 0), &size, speed)
+}
+
+/// A row measured by one of its modes; theory by the fastest, and by how many hang together.
+fn bonded(param: f64, matter: Matter, shots: Vec<Shot>, by: &str, steps: u64) -> Row {
+    let speed = shots.iter().map(|s| s.speed).fold(f64::INFINITY, f64::min);
+    let tied = shots[0].tied.expect("a row");
+    let all = swings(&matter, &shots[0], speed);
+    let unit = all.iter().find(|s| s.name == by).expect("a mode");
+    let mode = |s: &Swing, n: f64| Mode { stiffness: n * s.stiffness, ..Mode::from(*s) };
+    let steps_of = |s: &Swing| Mode::from(*s).step();
+    let fastest = all.iter().min_by(|a, b| steps_of(a).total_cmp(&steps_of(b))).expect("a mode");
+    let modes = [mode(unit, 1.0), mode(fastest, chained(tied.beads))];
+    Row::bonded(param, matter, shots, Scene::Bonded(steps), modes)
+}
+
+/// Blows of `n` speeds about `speed`, so that δ = 0 is passed at many places of a step.
+fn blows(n: usize, speed: f64, beads: usize, way: impl Fn(usize) -> Way) -> Vec<Shot> {
+    let one = |k: usize| Shot { speed: speed * (0.5 + k as f64 / n as f64), ..row(beads, way(k)) };
+    (0..n).map(one).collect()
+}
+
+/// A sphere that hangs on a wall by a straight bond and comes to rest.
+fn hanging(eta: f64, smooth: bool) -> Row {
+    let straight =
+        bond(1.0, eta, &["tensionStress"]).set("dampingBondSmooth", if smooth { "on" } else { "off" });
+    // Bonds of a wall are as long as those of a pair of the same size.
+    let shot = Shot { wall: true, speed: 0.0, ..row(2, Way::Along) };
+    // LIGGGHTS looks no further from a wall than the skin of its lists.
+    let straight = straight.with("maxDistanceBondnonlinear", 2.0 * SHOT.radius + 1.5 * GAP);
+    let shot = Shot { tied: Some(Tied { gap: 0.5 * GAP, beads: 2, way: Way::Along }), ..shot };
+    let (m, gravity) = (shot.meff(), 1e3);
+    let size = Size { radi: shot.radius, radj: 0.0, massi: m, massj: 0.0, meff: m, is_wall: true };
+    let swing = straight.chain().expect("a sound bond").swings((0, 0), &size, 1.0)[0];
+    let mode = Mode::from(swing);
+    let sunk = m * gravity * (1.0 + eta) / swing.stiffness;
+    // It is pulled away from the wall.
+    let rest = Some(Rest { gravity: -gravity, sunk, time: 0.0, rolls: false });
+    Row::bonded(eta, straight, vec![Shot { rest, ..shot }], Scene::Hang(200), [mode, mode])
+}
+
+const LAW: &str = "bond/nonlinear";
+
+pub(super) fn plans(n: usize) -> Vec<Plan> {
+    let half = n / 2;
+    let plan = |name, title, label, log, values, build| Plan {
+        name,
+        title,
+        law: LAW,
+        label,
+        log,
+        range: (0.02, 2.0),
+        values,
+        build,
+    };
+    let zero = plan(
+        "bond-zero",
+        "bond: √δ at zero; pressed and stretched at ever lower speeds, ku = 2 k, undamped",
+        "speed [m/s]",
+        true,
+        values(1e-5, 1.0, half, true),
+        Box::new(|v| bonded(v, bond(UNLOADING, 0.0, &BOTH), blows(8, v, 2, |_| Way::Along), "tension", LONG)),
+    );
+    vec![
+        Plan { range: (0.004, 2.0), ..zero },
+        plan(
+            "bond-ku",
+            "bond: stiffness of unloading, pressed and stretched, undamped",
+            "ku/k [1]",
+            true,
+            values(1.0, 20.0, half, true),
+            Box::new(|ku| {
+                bonded(ku, bond(ku, 0.0, &BOTH), blows(8, 0.3, 2, |_| Way::Along), "tension", LONG)
+            }),
+        ),
+        plan(
+            "bond-eta",
+            "bond: damping by the sign of the velocity, pressed and stretched, ku = 2 k",
+            "damping ratio η [1]",
+            true,
+            values(0.01, 0.9, half, true),
+            Box::new(|eta| {
+                bonded(eta, bond(UNLOADING, eta, &BOTH), blows(8, 0.3, 2, |_| Way::Along), "tension", LONG)
+            }),
+        ),
+        plan(
+            "bond-twist",
+            "bond: twist alone, stiffness of unloading, undamped",
+            "ku/k [1]",
+            true,
+            values(1.0, 20.0, n, true),
+            Box::new(|ku| bonded(ku, bond(ku, 0.0, &MODES[3..4]), vec![row(2, Way::Twist)], "twist", LONG)),
+        ),
+        plan(
+            "bond-size",
+            "bond: shear and bending together, straight and undamped, spheres of unlike sizes",
+            "radius of j over radius of i [1]",
+            true,
+            values(1.0, 10.0, half, true),
+            Box::new(|ratio| {
+                let m = bond(1.0, 0.0, &["shearStress", "shearTorqueStress"]);
+                let far = SHOT.radius * (1.0 + ratio) + GAP;
+                let m = m.with("createDistanceBondnonlinear", 1.0001 * far);
+                let m = m.with("maxDistanceBondnonlinear", far + 3.0 * GAP);
+                let shots = [Way::Shear, Way::Bend].map(|way| Shot { ratio, ..row(2, way) });
+                bonded(ratio, m, shots.to_vec(), "shear", SHORT)
+            }),
+        ),
+        plan(
+            "bond-chain",
+            "bond: a chain of straight bonds that twists at random, three seeds, undamped",
+            "bonds in the chain [1]",
+            true,
+            [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0].to_vec(),
+            Box::new(|n| {
+                let shots = (0..3).map(|seed| row(n as usize + 1, Way::TwistAtRandom(seed)));
+                bonded(n, bond(1.0, 0.0, &MODES[3..4]), shots.collect(), "twist", SHORT)
+            }),
+        ),
+        plan(
+            "bond-chain-damage",
+            "bond: a chain that is shaken along at random, four seeds, ku = 2 k, undamped",
+            "bonds in the chain [1]",
+            true,
+            [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0].to_vec(),
+            Box::new(|n| {
+                let shots = blows(4, 0.3, n as usize + 1, |k| Way::AlongAtRandom(k as u64));
+                bonded(n, bond(UNLOADING, 0.0, &BOTH), shots, "tension", LONG / 2)
+            }),
+        ),
+        plan(
+            "bond-rest",
+            "bond: a sphere that hangs on a wall comes to rest under damping by the sign of its velocity",
+            "damping ratio η [1]",
+            true,
+            values(0.02, 0.8, half, true),
+            Box::new(|eta| hanging(eta, false)),
+        ),
+        plan(
+            "bond-rest-smooth",
+            "the same with dampingBondSmooth on",
+            "damping ratio η [1]",
+            true,
+            values(0.02, 0.8, half, true),
+            Box::new(|eta| hanging(eta, true)),
+        ),
+    ]
+}

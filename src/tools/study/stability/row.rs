@@ -1,0 +1,227 @@
+//! A row of a field: laws and numbers, how bodies meet, and what theory says of it.
+use super::cell::{Class, Found, CREATED};
+use crate::study::adaptive::{impact, Aim};
+use crate::study::matter::Matter;
+use crate::study::modes::{reached, Modes};
+use crate::study::shot::{Outcome, Shot};
+use crate::study::tied;
+use granlaw::critical::{hertz, rayleigh, Mode};
+use granlaw::pair::run_while;
+use std::f64::consts::PI;
+
+/// What happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scene {
+    /// An impact; the restitution is measured.
+    Impact,
+    /// An oblique impact; the final spin is measured.
+    Oblique,
+    /// A sphere at rest on a wall, pushed a little along the normal; it should stay calm.
+    RestNormal,
+    /// The same, pushed along the wall.
+    RestTangential,
+    /// A rolling sphere comes to rest; what is left of its speed is measured.
+    Roll,
+    /// Bonded spheres swing for so many steps; their bonds may take energy, but never give it.
+    Bonded(u64),
+    /// A sphere hangs on a wall by a bond and comes to rest, in so many half periods; what is left of its speed is measured.
+    Hang(u64),
+}
+
+impl Scene {
+    /// Whether bodies meet and part again.
+    fn meets(self) -> bool {
+        matches!(self, Scene::Impact | Scene::Oblique)
+    }
+}
+
+/// A row.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The parameter.
+    pub param: f64,
+    /// Laws and numbers.
+    pub matter: Matter,
+    /// How bodies meet, at a few speeds.
+    pub shots: Vec<Shot>,
+    /// What happens.
+    pub scene: Scene,
+    /// The stiffest normal mode that the contact reaches.
+    pub normal: Mode,
+    /// The stiffest tangential one; without stiffness if there is no shear. Of bonds, the fastest of all that swings.
+    pub tangential: Mode,
+    /// The step beyond which `fix check/timestep/gran` with 0.2 and 0.2 warns \[s\].
+    pub warns: f64,
+    /// Half a period of the loading stiffness \[s\].
+    period: f64,
+    /// What is measured, for each shot; NaN where the contact ends stuck.
+    truth: Vec<f64>,
+}
+
+/// Fractions of Rayleigh and Hertz times that people give to the check.
+const FRACTIONS: (f64, f64) = (0.2, 0.2);
+/// Steps that a sphere at rest is watched for.
+const WATCHED: u64 = 600;
+
+impl Row {
+    /// With everything that theory and a converged solution say.
+    ///
+    /// # Panics
+    /// If the laws refuse the numbers, which is a bug of the field.
+    pub fn new(param: f64, matter: Matter, shots: Vec<Shot>, scene: Scene) -> Row {
+        let fastest = shots.iter().copied().max_by(|a, b| a.speed.total_cmp(&b.speed)).expect("a shot");
+        let chain = || matter.chain().expect("a sound row");
+        let Modes { normal, tangential, period } = reached(&mut chain(), &mut chain(), &fastest);
+        let warns = warns(&matter, &fastest);
+        let mut row =
+            Row { param, matter, shots, scene, normal, tangential, warns, period, truth: Vec::new() };
+        row.truth = row.shots.iter().map(|s| row.expected(s)).collect();
+        row
+    }
+
+    /// A row of bonds. Steps are measured by `unit`; `fastest` is what theory has for the fastest mode.
+    pub fn bonded(
+        param: f64,
+        matter: Matter,
+        shots: Vec<Shot>,
+        scene: Scene,
+        [unit, fastest]: [Mode; 2],
+    ) -> Row {
+        let warns = warns(&matter, &shots[0]);
+        let (period, truth) = (PI / fastest.frequency(), vec![0.0; shots.len()]);
+        Row { param, matter, shots, scene, normal: unit, tangential: fastest, warns, period, truth }
+    }
+
+    /// The unit of steps \[s\]: the critical step of the stiffest normal mode without damping, 2/ω.
+    pub fn unit(&self) -> f64 {
+        self.normal.step_centred()
+    }
+
+    /// What is measured of an outcome.
+    fn measure(&self, o: &Outcome) -> f64 {
+        match self.scene {
+            Scene::Impact => o.restitution,
+            Scene::Oblique => o.spin,
+            Scene::Roll | Scene::Hang(_) => o.left,
+            Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_) => 0.0,
+        }
+    }
+
+    fn expected(&self, shot: &Shot) -> f64 {
+        if !self.scene.meets() {
+            return 0.0;
+        }
+        let mut chain = self.matter.chain().expect("a sound row");
+        let aim = Aim { tolerance: 1e-8, duration: self.period, longest: 0.1, with_force: false };
+        let (o, _) = impact(&mut chain, shot, &aim);
+        if o.parted {
+            self.measure(&o)
+        } else {
+            f64::NAN
+        }
+    }
+
+    /// How many steps of `dt` \[s\] the scene takes.
+    pub fn length(&self, dt: f64) -> u64 {
+        match self.scene {
+            Scene::RestNormal | Scene::RestTangential => WATCHED,
+            Scene::Roll => self.shots[0].rest.map_or(0, |r| (r.time / dt) as u64),
+            Scene::Bonded(steps) => steps,
+            Scene::Hang(half) => (half as f64 * self.period / dt) as u64,
+            // Long enough for the slowest contact, and for a few steps however long they are.
+            Scene::Impact | Scene::Oblique => (4.0 * self.period / dt) as u64 + 12,
+        }
+    }
+
+    /// Steps ahead of first touch at which the shots of a cell begin.
+    pub fn before(&self, phases: usize) -> Vec<f64> {
+        match self.scene {
+            Scene::Impact | Scene::Oblique => (0..phases).map(|k| (k as f64 + 0.5) / phases as f64).collect(),
+            _ => vec![0.0],
+        }
+    }
+
+    /// What comes of all shots in steps of `step` units.
+    pub fn at(&self, step: f64, phases: usize) -> Found {
+        let dt = step * self.unit();
+        let mut chain = self.matter.chain().expect("a sound row");
+        let (mut outcomes, mut missed) = (Vec::new(), 0);
+        for shot in &self.shots {
+            if let Some(tied) = shot.row() {
+                outcomes.push(tied::run(&mut chain, shot, &tied, (dt, self.length(dt)), tied::Look::Energy));
+                continue;
+            }
+            for before in self.before(phases) {
+                let start = shot.start(dt, before, self.length(dt));
+                let (mut last, mut out) = (start.bodies, false);
+                run_while(&mut chain, &start, |s| {
+                    last = s.bodies;
+                    out |= s.touching && s.contact.surface.vn > 0.0;
+                    s.bodies[0].x.iter().all(|x| x.abs() < 1e6)
+                });
+                missed += usize::from(!out);
+                outcomes.push(shot.judge(&last));
+            }
+        }
+        let missed = missed as f64 / outcomes.len() as f64;
+        Found { missed, ..self.judge(&outcomes, phases) }
+    }
+
+    /// The same from outcomes that are there already, shot by shot, each with all its phases.
+    pub fn judge(&self, outcomes: &[Outcome], phases: usize) -> Found {
+        let each = self.before(phases).len();
+        Found::of(outcomes, |k, o| {
+            let (got, truth) = (self.measure(o), self.truth[k / each]);
+            let error = match self.scene {
+                Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_) => 0.0,
+                Scene::Roll | Scene::Hang(_) => got.abs(),
+                // Where it should stick, what still moves apart is the error.
+                _ if truth.is_nan() && o.apart => got.abs(),
+                _ if truth.is_nan() => 0.0,
+                _ => ((got - truth) / truth).abs(),
+            };
+            (error, self.scene.meets() && truth.is_nan() == o.apart)
+        })
+    }
+
+    /// Energy over that before from which on it counts as created, at a step in units. Of a sphere that still swings,
+    /// velocity Verlet keeps an energy of its own, about which the true one swings by 1/(1 − s²), s over the critical step.
+    fn created(&self, step: f64) -> f64 {
+        let critical = match self.scene {
+            Scene::RestNormal => self.normal.step_centred(),
+            Scene::RestTangential => self.tangential.step_centred(),
+            _ => return CREATED,
+        };
+        let s = step * self.unit() / critical;
+        if s < 1.0 {
+            CREATED / (1.0 - s * s)
+        } else {
+            CREATED
+        }
+    }
+
+    /// The class of what was found at a step in units.
+    pub fn class(&self, step: f64, found: &Found) -> Class {
+        let stops = matches!(self.scene, Scene::Roll | Scene::Hang(_));
+        let limits = if stops { (1e-4, 1e-2) } else { (0.01, 0.1) };
+        found.class(limits, self.created(step), step * self.unit() > self.warns)
+    }
+}
+
+/// The step beyond which LIGGGHTS's check warns \[s\].
+fn warns(matter: &Matter, shot: &Shot) -> f64 {
+    let value = |name| matter.value(name).expect("a value of the row");
+    let (young, poisson) = (value("youngsModulus"), value("poissonsRatio"));
+    let e_star = young / (2.0 * (1.0 - poisson * poisson));
+    let [i, j] = shot.bodies();
+    let speed = i.v.norm().max(j.v.norm());
+    let of = |b: &granlaw::law::Body| {
+        let r = FRACTIONS.0 * rayleigh(b.radius, shot.density, young, poisson);
+        r.min(FRACTIONS.1 * hertz(b.mass, b.radius, e_star, speed))
+    };
+    if shot.wall {
+        of(&i)
+    } else {
+        of(&i).min(of(&j))
+    }
+}

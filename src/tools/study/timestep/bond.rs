@@ -1,0 +1,47 @@
+//! Bonds: the modes of two bodies that a bond holds, and of many that hold each other.
+use super::contact::{Contact, Limit};
+use super::Asked;
+use crate::probe::Grains;
+use granlaw::chain::Chain;
+use granlaw::critical::Mode;
+
+/// A kind of bond with its limits; `None` where these types do not bond.
+pub(super) fn of(
+    chain: &mut Chain,
+    (who, laws): (&str, &str),
+    types: [usize; 2],
+    (gi, gj): (&Grains, Option<&Grains>),
+    speed: f64,
+    asked: &Asked,
+) -> Option<Contact> {
+    let kinds = (types[0] - 1, types[1] - 1);
+    let looked = gi.sizes(gj).into_iter().map(|size| {
+        let swings = chain.swings(kinds, &size, speed);
+        let limits: Vec<Limit> = swings.into_iter().map(|s| limit(s.name, s.turns, s.into())).collect();
+        (size, limits)
+    });
+    let shortest = |limits: &[Limit]| limits.iter().map(|l| l.critical).fold(f64::INFINITY, f64::min);
+    let (size, limits) = looked.min_by(|a, b| shortest(&a.1).total_cmp(&shortest(&b.1)))?;
+    let fastest = limits.iter().min_by(|a, b| a.critical.total_cmp(&b.critical))?;
+    Some(Contact {
+        who: who.into(),
+        types,
+        laws: laws.into(),
+        speed,
+        radii: [size.radi, size.radj],
+        together: Some(together(fastest, asked.bonds)),
+        accurate: None,
+        limits,
+    })
+}
+
+fn limit(name: &'static str, turns: bool, mode: Mode) -> Limit {
+    Limit { name, turns, mode, critical: mode.step(), safe: mode.safe_bond() }
+}
+
+/// So many bonds on every particle, like the fastest of two alone. As λmax of the whole is at most twice the largest
+/// λmax(Mi⁻¹ ΣKii) of a particle, ω² is at most that many times as large; of a chain it is twice, and that is what it comes to.
+fn together(fastest: &Limit, bonds: u32) -> Limit {
+    let mode = Mode { stiffness: f64::from(bonds) * fastest.mode.stiffness, ..fastest.mode };
+    limit("many on each", fastest.turns, mode)
+}

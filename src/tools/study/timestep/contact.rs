@@ -1,0 +1,228 @@
+//! One kind of contact: two types, or a type and a wall.
+use super::{accurate, bond, Asked, Search};
+use crate::probe::{Contacts, Fastest, Grains, TypePair};
+use crate::study::modes::{reached, Modes};
+use crate::study::shot::Shot;
+use crate::trace::{Header, LawSpec};
+use granlaw::chain::Chain;
+use granlaw::critical::Mode;
+use granlaw::law::Kind;
+use granlaw::laws::prop;
+use serde::Serialize;
+
+/// A kind of contact with its limits.
+#[derive(Clone, Debug, Serialize)]
+pub struct Contact {
+    /// `pair`, or `wall` and the name of its fix.
+    pub who: String,
+    /// Atom types from 1; of a wall, that of its material behind that of the particle.
+    pub types: [usize; 2],
+    /// The laws, as the deck has them.
+    pub laws: String,
+    /// Speed of the impact that was looked at \[m/s\].
+    pub speed: f64,
+    /// Radii of the spheres that need the shortest step \[m\]; of a wall, 0.
+    pub radii: [f64; 2],
+    /// The modes: along the normal, along the surface, and the fastest contact that the scene has shown; or those of a bond.
+    pub limits: Vec<Limit>,
+    /// Of bonds: the fastest mode where every particle has as many of them as asked for. Linear theory's step is then a
+    /// lower bound.
+    pub together: Option<Limit>,
+    /// Longest step for the accuracy \[s\]; `None` if no step that was tried is short enough, or if nothing was tried.
+    pub accurate: Option<f64>,
+}
+
+/// A mode with the longest steps that it bears.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Limit {
+    /// Which.
+    pub name: &'static str,
+    /// Whether it turns the bodies about each other: then stiffness is in N m/rad and mass in kg m².
+    pub turns: bool,
+    /// The linear oscillator.
+    #[serde(with = "ModeFields")]
+    pub mode: Mode,
+    /// Longest stable step of linear theory \[s\].
+    pub critical: f64,
+    /// Longest step at which no contact of the maps creates energy \[s\].
+    pub safe: f64,
+}
+
+/// How a [`Mode`] stands in JSON.
+#[derive(Serialize)]
+#[serde(remote = "Mode")]
+struct ModeFields {
+    stiffness: f64,
+    damping: f64,
+    mass: f64,
+}
+
+impl Contact {
+    /// The longest stable step of linear theory \[s\].
+    pub fn critical(&self) -> f64 {
+        self.limits.iter().map(|l| l.critical).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The longest step at which no energy is created \[s\].
+    pub fn safe(&self) -> f64 {
+        self.limits.iter().chain(&self.together).map(|l| l.safe).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The longest step that is both safe and accurate \[s\].
+    pub fn recommended(&self) -> f64 {
+        self.accurate.unwrap_or(f64::INFINITY).min(self.safe())
+    }
+}
+
+/// Every kind of contact of a chain for which there are particles.
+pub(super) fn of_chain(
+    c: &Contacts,
+    grains: &[Grains],
+    asked: &Asked,
+    notes: &mut Vec<String>,
+) -> Vec<Contact> {
+    let mut header = c.header.clone();
+    if let Some(law) = header.laws.iter().find(|l| !l.known) {
+        notes.push(format!(
+            "{}: {} {} is left out, as granlaw has no such law",
+            header.who, law.kind, law.keyword
+        ));
+    }
+    // A bond stands in place of the other laws, so that each is looked at without the other.
+    let mut bonds = Header { laws: header.bonds().cloned().into_iter().collect(), ..header.clone() };
+    header.laws.retain(|l| l.known && !bonds.laws.contains(l));
+    bonds.laws.retain(|l| l.known);
+    if !header.laws.iter().any(|l| l.kind == Kind::Normal.name() || l.kind == Kind::Cohesion.name()) {
+        notes.push(format!("{}: no law along the normal is known, so nothing can be said", header.who));
+        return Vec::new();
+    }
+    if let Err(e) = header.chain() {
+        notes.push(format!("{}: {e}", header.who));
+        return Vec::new();
+    }
+    let mut bonds = (!bonds.laws.is_empty()).then(|| bonds.chain().ok()).flatten();
+    let wall = header.who != "pair";
+    let of = |kind: usize| grains.iter().find(|g| g.kind as usize == kind);
+    let mut all = Vec::new();
+    for i in 1..=header.types {
+        // A wall is of the material that the scene has shown, or of any.
+        let met = |j: usize| c.pairs.iter().any(|p| p.types == [i, j]);
+        let partners: Vec<usize> = match wall {
+            false => (i..=header.types).filter(|j| of(*j).is_some()).collect(),
+            true if (1..=header.types).any(met) => (1..=header.types).filter(|j| met(*j)).collect(),
+            true => (1..=header.types).collect(),
+        };
+        let Some(gi) = of(i) else { continue };
+        for j in partners {
+            let pair = (gi, if wall { None } else { of(j) });
+            let seen = c.pairs.iter().find(|p| p.types == [i, j]);
+            let speed = asked.speed.unwrap_or(fastest(seen, pair));
+            let speed = if speed > 0.0 { speed } else { assumed(&header, notes) };
+            all.extend(one(c, &header, [i, j], pair, speed, asked.accuracy));
+            if let Some(chain) = &mut bonds {
+                let laws = c.header.bonds().map_or(String::new(), name);
+                all.extend(bond::of(chain, (&header.who, &laws), [i, j], pair, speed, asked));
+            }
+        }
+    }
+    all
+}
+
+/// How fast bodies of these types meet at most \[m/s\].
+fn fastest(seen: Option<&TypePair>, (gi, gj): (&Grains, Option<&Grains>)) -> f64 {
+    let hardest = seen.and_then(|p| p.impact_speed.range()).map_or(0.0, |(_, most)| most);
+    hardest.max(gi.fastest + gj.map_or(0.0, |g| g.fastest))
+}
+
+fn one(
+    c: &Contacts,
+    header: &Header,
+    types: [usize; 2],
+    (gi, gj): (&Grains, Option<&Grains>),
+    speed: f64,
+    accuracy: f64,
+) -> Option<Contact> {
+    let seen = c.pairs.iter().find(|p| p.types == types);
+    let chain = || header.chain().expect("it was made before");
+    // The smallest spheres are the fastest; a large partner may be worse for some laws.
+    let ends = |g: Option<&Grains>| g.map_or(vec![0.0], |g| g.radius.to_vec());
+    let sizes = ends(Some(gi)).into_iter().flat_map(|ri| ends(gj).into_iter().map(move |rj| [ri, rj]));
+    let shots = sizes.map(|[ri, rj]| Shot {
+        ratio: if gj.is_some() { rj / ri } else { 1.0 },
+        heavier: gj.map_or(1.0, |g| g.density[0] / gi.density[0]),
+        types: (types[0] - 1, types[1] - 1),
+        wall: gj.is_none(),
+        ..Shot::head_on(ri, gi.density[0], speed)
+    });
+    let centred = centred(header);
+    let looked = shots.map(|s| {
+        let modes = reached(&mut chain(), &mut chain(), &s);
+        (s, modes, limit("normal", modes.normal, centred).critical)
+    });
+    let (shot, modes, _) = looked.min_by(|a, b| a.2.total_cmp(&b.2))?;
+    let mut limits = vec![limit("normal", modes.normal, centred)];
+    if modes.tangential.stiffness > 0.0 || modes.tangential.damping > 0.0 {
+        limits.push(limit("tangential", modes.tangential, centred));
+    }
+    // A bond is infinitely stiff where its compression begins, which says nothing.
+    let fastest = seen.filter(|_| c.header.bonds().is_none()).and_then(|p| met(&p.fastest));
+    limits.extend(fastest.map(|m| limit("met in the scene", m, centred)));
+    Some(Contact {
+        who: header.who.clone(),
+        types,
+        laws: names(header),
+        speed,
+        radii: [shot.radius, if shot.wall { 0.0 } else { shot.radius * shot.ratio }],
+        accurate: try_out(&mut chain(), &shot, &modes, accuracy),
+        together: None,
+        limits,
+    })
+}
+
+fn try_out(chain: &mut Chain, shot: &Shot, modes: &Modes, accuracy: f64) -> Option<f64> {
+    let longest = modes.normal.step_centred();
+    let search = Search { longest, period: modes.period, accuracy };
+    if longest.is_finite() {
+        accurate(chain, shot, &search)
+    } else {
+        None
+    }
+}
+
+fn limit(name: &'static str, mode: Mode, centred: bool) -> Limit {
+    // With its damping centred, a mode is as stable as without.
+    let bears = if centred { Mode { damping: 0.0, ..mode } } else { mode };
+    Limit { name, turns: false, mode, critical: bears.step(), safe: bears.safe() }
+}
+
+fn met(f: &Fastest) -> Option<Mode> {
+    (f.stiffness > 0.0).then_some(Mode { stiffness: f.stiffness, damping: f.damping, mass: f.meff })
+}
+
+fn centred(header: &Header) -> bool {
+    header.laws.iter().any(|l| l.settings.get("centredDamping").is_some_and(|o| o == "on"))
+}
+
+fn names(header: &Header) -> String {
+    header.laws.iter().map(name).collect::<Vec<_>>().join(" + ")
+}
+
+fn name(l: &LawSpec) -> String {
+    format!("{}{}", l.keyword, if l.taken_over { "" } else { "/rs" })
+}
+
+/// A speed where nothing moves \[m/s\].
+fn assumed(header: &Header, notes: &mut Vec<String>) -> f64 {
+    let properties = || header.laws.iter().flat_map(|l| &l.properties);
+    let named = properties().find(|p| p.name == prop::CHARACTERISTIC_VELOCITY.name);
+    let (speed, why) = match named.and_then(|p| p.values.first()) {
+        Some(v) => (*v, "characteristicVelocity"),
+        None => (1.0, "a guess"),
+    };
+    let note =
+        format!("nothing moves yet: impacts at {speed} m/s are looked at ({why}); say better with --speed");
+    if !notes.contains(&note) {
+        notes.push(note);
+    }
+    speed
+}

@@ -1,0 +1,95 @@
+//! Traces: every call of a contact chain with all that went in and all that came out.
+//!
+//! A file holds one chain (the pair style, or one wall fix) on one rank:
+//!
+//! 1. `# granlaw trace 1`, then the [`Header`] as TOML behind `# `: programs, deck, laws, settings and coefficients;
+//! 2. a line of column names ([`COLUMNS`], then `before.<slot>` and `after.<slot>` for every slot of history);
+//! 3. a line of numbers per call, with as few digits as read back the same `f64`;
+//! 4. where LIGGGHTS prepared the chain again, another header, which holds from there on; the columns stay;
+//! 5. `# end <number of rows>`. A file without it was cut short.
+//!
+//! Neither end ever holds more than one row. Numbers are in the units of the deck; the documented ones are SI.
+mod columns;
+mod error;
+mod header;
+mod read;
+#[cfg(test)]
+mod tests;
+mod write;
+
+pub(crate) use columns::Cell;
+pub use columns::{column_names, columns_markdown, Column, COLUMNS};
+pub use error::TraceError;
+pub use header::{Header, HeaderError, LawSpec, Particle, Property};
+pub use read::Reader;
+pub use write::Writer;
+
+use granlaw::law::{Contact, Gap, Stage, Surface};
+use nalgebra::Vector3;
+
+/// The format that this version writes and reads.
+pub const VERSION: u32 = 1;
+
+const MARK: &str = "# granlaw trace ";
+const END: &str = "# end ";
+
+/// What the laws of a chain had handed along when the last of them was done; units as in [`Stage`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Handed {
+    /// Normal force \[N\], positive when it pushes apart.
+    pub fn_: f64,
+    /// Normal stiffness \[N/m\].
+    pub kn: f64,
+    /// Tangential stiffness \[N/m\].
+    pub kt: f64,
+    /// Normal damping \[N s/m\].
+    pub gamman: f64,
+    /// Tangential damping \[N s/m\].
+    pub gammat: f64,
+}
+
+impl From<&Stage> for Handed {
+    fn from(s: &Stage) -> Handed {
+        Handed { fn_: s.fn_, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat }
+    }
+}
+
+/// One call of the chain.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    /// LIGGGHTS's `computeflag`.
+    pub computeflag: i32,
+    /// LIGGGHTS's `shearupdate`. A row that is read has `gap.call.update` set from the two.
+    pub shearupdate: i32,
+    /// Whether the surfaces overlap (`surfacesIntersect`) or not (`surfacesClose`).
+    pub touch: bool,
+    /// Atom types of i and j, from 0; of a wall, the type of its material. In the file they count from 1.
+    pub types: (usize, usize),
+    /// The call and the bodies.
+    pub gap: Gap,
+    /// What the surface model made of them; zeros unless they touch.
+    pub surface: Surface,
+    /// History before the call, all slots of the chain.
+    pub before: Vec<f64>,
+    /// History after it.
+    pub after: Vec<f64>,
+    /// What the laws handed along; zeros unless they touch.
+    pub handed: Handed,
+    /// Force on i \[N\].
+    pub force_i: Vector3<f64>,
+    /// Torque on i \[N m\].
+    pub torque_i: Vector3<f64>,
+    /// Force on j \[N\]; zero for a wall.
+    pub force_j: Vector3<f64>,
+    /// Torque on j \[N m\].
+    pub torque_j: Vector3<f64>,
+    /// Whether a law said that there is a force.
+    pub has_force: bool,
+}
+
+impl Row {
+    /// Bodies and surfaces together.
+    pub fn contact(&self) -> Contact {
+        Contact { gap: self.gap, surface: self.surface }
+    }
+}
