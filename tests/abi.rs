@@ -1,6 +1,8 @@
 //! The C interface: the committed Rust view of `granlaw.h`, its structs against LIGGGHTS's, and C programs that use it.
 #[path = "built/mod.rs"]
 mod built;
+#[path = "abi/creators.rs"]
+mod creators;
 #[path = "abi/layout.rs"]
 mod layout;
 #[path = "abi/programs.rs"]

@@ -1,6 +1,8 @@
 //! Every law against the rules that all laws obey. A new law in `LAWS` is tested by this without a line more.
 #[path = "laws/beyond.rs"]
 mod beyond;
+#[path = "laws/foreign.rs"]
+mod foreign;
 #[path = "laws/lanes.rs"]
 mod lanes;
 #[path = "laws/motion.rs"]
@@ -34,11 +36,11 @@ const DECLARED: [(Rule, Check); 5] = [
 ];
 
 fn excepted(laws: &Laws, rule: Rule) -> bool {
-    laws.iter().any(|m| m.exception(rule).is_some())
+    laws.iter().any(|e| e.meta.exception(rule).is_some())
 }
 
 fn names(laws: &Laws) -> String {
-    laws.iter().map(|m| m.keyword).collect::<Vec<_>>().join(" + ")
+    laws.iter().map(|e| e.meta.keyword).collect::<Vec<_>>().join(" + ")
 }
 
 fn every_chain(check: Check) {
@@ -86,7 +88,7 @@ fn a_wall_is_a_partner_without_end() {
 fn a_normal_law_tells_its_stiffness_damping_and_energy() {
     for e in LAWS.iter().filter(|e| e.meta.kind == Kind::Normal) {
         // What limitForce cuts off is not told.
-        for_all(&vec![e.meta], Switches::Default, CASES, None, paths::observed).unwrap();
+        for_all(&vec![e], Switches::Default, CASES, None, paths::observed).unwrap();
     }
 }
 
@@ -114,9 +116,11 @@ fn declared_exceptions_occur() {
             let occurs = chains()
                 .iter()
                 .filter(|laws| {
-                    laws.iter().all(|m| *m.keyword == *meta.keyword || m.exception(exception.rule).is_none())
+                    laws.iter().all(|e| {
+                        *e.meta.keyword == *meta.keyword || e.meta.exception(exception.rule).is_none()
+                    })
                 })
-                .filter(|laws| laws.iter().any(|m| m.keyword == meta.keyword))
+                .filter(|laws| laws.iter().any(|e| e.meta.keyword == meta.keyword))
                 .any(|laws| for_all(laws, Switches::Any, CASES, None, check).is_err());
             assert!(occurs, "{}: {:?} never occurs", meta.keyword, exception.rule);
         }

@@ -12,7 +12,6 @@ mod runs;
 mod built;
 
 use deck::{can, chain_with, each_side, Deck};
-use granlaw::law::Support;
 use granlaw::laws::LAWS;
 
 #[test]
@@ -108,10 +107,11 @@ fn settings_that_are_not_done_are_refused_by_name() {
         return;
     }
     let mut seen = 0;
-    for meta in LAWS.iter().map(|e| e.meta) {
-        for setting in meta.settings.iter().filter(|s| s.support == Support::Refused) {
+    for law in LAWS {
+        let meta = law.meta;
+        for setting in law.liggghts.refused {
             for taken_over in [false, true] {
-                if taken_over && meta.stock_id.is_none() {
+                if taken_over && law.liggghts.stock_id.is_none() {
                     continue;
                 }
                 let option = setting.options[1];

@@ -1,6 +1,6 @@
 //! `granlaw laws`: what the laws say of themselves.
 use anyhow::bail;
-use granlaw::law::{Kind, Meta, Need, Newton, Prop, Setting, Support};
+use granlaw::law::{Entry, Kind, Need, Newton, Prop, Setting, Support};
 use granlaw::laws::LAWS;
 use granlaw_tools::spelling;
 use serde_json::{json, Value};
@@ -22,43 +22,44 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    let metas = chosen(args.law.as_deref())?;
+    let laws = chosen(args.law.as_deref())?;
     let mut text = String::new();
     if args.json {
-        let all: Vec<_> = metas.iter().map(|m| as_json(m)).collect();
+        let all: Vec<_> = laws.iter().map(|law| as_json(law)).collect();
         writeln!(text, "{}", serde_json::to_string_pretty(&all)?)?;
     } else if args.law.is_some() {
-        metas.iter().try_for_each(|m| explain(&mut text, m))?;
+        laws.iter().try_for_each(|law| explain(&mut text, law))?;
     } else {
-        list(&mut text, &metas)?;
+        list(&mut text, &laws)?;
     }
     crate::print(&text);
     Ok(ExitCode::SUCCESS)
 }
 
-fn chosen(name: Option<&str>) -> anyhow::Result<Vec<&'static Meta>> {
-    let Some(name) = name else { return Ok(LAWS.iter().map(|e| e.meta).collect()) };
+fn chosen(name: Option<&str>) -> anyhow::Result<Vec<&'static Entry>> {
+    let Some(name) = name else { return Ok(LAWS.iter().collect()) };
     let keyword = name.strip_suffix("/rs").unwrap_or(name);
-    let metas: Vec<_> = LAWS.iter().map(|e| e.meta).filter(|m| m.keyword == keyword).collect();
-    if metas.is_empty() {
+    let laws: Vec<_> = LAWS.iter().filter(|e| e.meta.keyword == keyword).collect();
+    if laws.is_empty() {
         let known: Vec<_> = LAWS.iter().map(|e| e.meta.keyword).collect();
         bail!("{}", spelling::unknown("law", name, &known));
     }
-    Ok(metas)
+    Ok(laws)
 }
 
-fn list(t: &mut String, metas: &[&Meta]) -> fmt::Result {
+fn list(t: &mut String, laws: &[&Entry]) -> fmt::Result {
     for kind in Kind::ALL {
-        for meta in metas.iter().filter(|m| m.kind == kind) {
+        for meta in laws.iter().map(|e| e.meta).filter(|m| m.kind == kind) {
             writeln!(t, "{:<17} {:<20} {}", kind.keyword(), meta.called(false), meta.summary)?;
         }
     }
     writeln!(t, "\n`granlaw laws <law>` shows what a law needs.")
 }
 
-fn explain(t: &mut String, meta: &Meta) -> fmt::Result {
+fn explain(t: &mut String, law: &Entry) -> fmt::Result {
+    let meta = law.meta;
     writeln!(t, "{} {}\n  {}", meta.kind.keyword(), meta.called(false), meta.summary)?;
-    if meta.stock_id.is_none() {
+    if law.liggghts.stock_id.is_none() {
         writeln!(t, "  LIGGGHTS has no law of that name: plain {} is the same", meta.keyword)?;
     }
     if !meta.props.is_empty() {
@@ -68,12 +69,12 @@ fn explain(t: &mut String, meta: &Meta) -> fmt::Result {
         writeln!(t, "  {} {}  {} [{}], {}", p.name, p.shape.keyword(), p.symbol, p.unit.label, p.range)?;
         writeln!(t, "      {}{}", p.doc, needed(p.need))?;
     }
-    if !meta.settings.is_empty() {
+    if law.settings().next().is_some() {
         writeln!(t, "\nSettings (behind the models in pair_style gran and fix wall/gran):")?;
     }
-    for s in meta.settings {
+    for s in law.settings() {
         writeln!(t, "  {} {}  {}", s.name, s.options.join("|"), default(s))?;
-        writeln!(t, "      {}{}", s.doc, support(s.support))?;
+        writeln!(t, "      {}{}", s.doc, support(law.support(s.name)))?;
     }
     if !meta.atoms.is_empty() {
         writeln!(
@@ -134,24 +135,26 @@ fn support(s: Support) -> &'static str {
     }
 }
 
-fn as_json(m: &Meta) -> Value {
+fn as_json(law: &Entry) -> Value {
+    let (m, binding) = (law.meta, law.liggghts);
     let prop = |p: &Prop| {
         json!({"name": p.name, "symbol": p.symbol, "shape": p.shape.keyword(), "unit": p.unit.label,
             "range": p.range.to_string(), "usual": p.usual, "doc": p.doc, "needed": needed(p.need).trim()})
     };
     let setting = |s: &Setting| {
         json!({"name": s.name, "options": s.options, "default": s.default, "doc": s.doc,
-            "support": format!("{:?}", s.support)})
+            "support": format!("{:?}", law.support(s.name))})
     };
     json!({
         "kind": m.kind.name(), "selected_by": m.kind.keyword(), "keyword": m.called(false), "stock_keyword": m.keyword,
-        "id": m.id, "stock_id": m.stock_id, "summary": m.summary,
+        "id": binding.id, "stock_id": binding.stock_id, "summary": m.summary,
         "properties": m.props.iter().map(prop).collect::<Vec<_>>(),
-        "settings": m.settings.iter().map(setting).collect::<Vec<_>>(),
+        "settings": law.settings().map(setting).collect::<Vec<_>>(),
         "history": m.slots.iter().map(|s| json!({"name": s.name, "unit": s.unit.label,
             "newton": s.newton == Newton::Odd, "kept": needed(s.need).replace("needed", "kept").trim()}))
             .collect::<Vec<_>>(),
         "per_atom": m.atoms.iter().map(|a| json!({"name": a.name, "doc": a.doc})).collect::<Vec<_>>(),
+        "per_atom_output": m.outputs.iter().map(|a| json!({"name": a.name, "doc": a.doc})).collect::<Vec<_>>(),
         "stress_strain_exponent": m.stress_strain_exponent, "coarse_graining": m.coarse_graining,
         "references": m.references,
         "exceptions": m.exceptions.iter().map(|e| json!({"rule": format!("{:?}", e.rule), "why": e.why}))

@@ -41,6 +41,14 @@ pub trait Lane:
     fn sqrt(self) -> Self;
     /// Magnitude.
     fn abs(self) -> Self;
+    /// `self` to the power `e`, lane by lane with the system's `pow`, so that the bits are those of C.
+    #[inline(always)]
+    fn powf(self, e: f64) -> Self {
+        Self::from_fn(
+            #[inline(always)]
+            |k| self.lane(k).powf(e),
+        )
+    }
     /// `self > other`, false where either is NaN.
     fn gt(self, other: Self) -> Self::Mask;
     /// `self >= other`, false where either is NaN.
@@ -93,6 +101,41 @@ impl Lane for f64 {
     #[inline(always)]
     fn any(mask: bool) -> bool {
         mask
+    }
+}
+
+/// Numbers of one contact that can be put side by side, one set per lane. `#[derive(Lanes)]` writes it for a struct of
+/// numbers, switches and other such structs; switches come from the first lane, as they are the same in a chain.
+pub trait Lanes: Copy {
+    /// The same with a lane in place of each number.
+    type Of<L: Lane>: Copy;
+    /// The numbers of all lanes, from those of contact `k` for each lane `k`.
+    fn side_by_side<L: Lane>(of: impl Fn(usize) -> Self) -> Self::Of<L>;
+}
+
+pub use granlaw_derive::Lanes;
+
+impl Lanes for () {
+    type Of<L: Lane> = ();
+    #[inline(always)]
+    fn side_by_side<L: Lane>(_: impl Fn(usize)) {}
+}
+
+impl<const N: usize> Lanes for [f64; N] {
+    type Of<L: Lane> = [L; N];
+    #[inline(always)]
+    fn side_by_side<L: Lane>(of: impl Fn(usize) -> Self) -> [L; N] {
+        let mut all = [L::splat(0.0); N];
+        // Adaptors of iterators are not inlined into code for a vector unit.
+        let mut n = 0;
+        while n < N {
+            all[n] = L::from_fn(
+                #[inline(always)]
+                |k| of(k)[n],
+            );
+            n += 1;
+        }
+        all
     }
 }
 

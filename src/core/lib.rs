@@ -6,6 +6,9 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+// For what `derive(Lanes)` writes.
+extern crate self as granlaw;
+
 pub mod chain;
 pub mod critical;
 pub mod lane;

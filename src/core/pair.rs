@@ -155,7 +155,7 @@ pub fn approach(start: &Start, bodies: &[Body; 2], call: Call) -> (Gap, f64) {
     }
     let delta = i.x - j.x;
     if start.partner == Partner::Frozen {
-        j.mass = f64::INFINITY;
+        j.frozen = true;
     }
     let gap = Gap { call, i, j, delta, rsq: crate::lane::dot(&delta, &delta), meff: 0.0 };
     (gap.weighed(), 0.0)
@@ -182,9 +182,9 @@ mod tests {
             _ => 1.0,
         };
         let setup = |(kind, name): &(Kind, &str)| {
-            let meta = find(*kind, name).unwrap().meta;
-            let of = meta.props.iter().map(|p| vec![given(p.name)]).collect();
-            Setup { meta, settings: Settings::new(meta, false), values: Values { types: 1, of }, nktv2p: 1.0 }
+            let law = find(*kind, name).unwrap();
+            let of = law.meta.props.iter().map(|p| vec![given(p.name)]).collect();
+            Setup { law, settings: Settings::new(law, false), values: Values { types: 1, of }, nktv2p: 1.0 }
         };
         Chain::packed(&laws.iter().map(setup).collect::<Vec<_>>()).unwrap()
     }

@@ -12,7 +12,7 @@ int main(int n, char **args) {
   granlaw_choice choices[2];
   for (int k = 0; k < 2; k++) {
     look_up(laws[k], deck, 5, values[k]);
-    const granlaw_choice choice = {laws[k], false, NULL, values[k], 0};
+    const granlaw_choice choice = {laws[k], false, NULL, values[k], 0, NULL};
     choices[k] = choice;
   }
   const granlaw_setup setup = {choices, 2, TYPES, 1.0};

@@ -69,7 +69,7 @@ static granlaw_chain *prepare(void) {
   granlaw_choice choices[3];
   for (int k = 0; k < 3; k++) {
     look_up(laws[k], DECK, GIVEN, values[k]);
-    const granlaw_choice choice = {laws[k], false, NULL, values[k], offsets[k]};
+    const granlaw_choice choice = {laws[k], false, NULL, values[k], offsets[k], NULL};
     choices[k] = choice;
   }
   const granlaw_setup setup = {choices, 3, TYPES, 1.0};

@@ -18,7 +18,8 @@ static void fresh(void) {
   look_up(hooke, deck, GIVEN, hooke_values);
   look_up(history, deck, GIVEN, history_values);
   for (int k = 0; k < MOST; k++) hooke_options[k] = -1;
-  const granlaw_choice first = {hooke, false, hooke_options, hooke_values, 0}, second = {history, false, NULL, history_values, 0};
+  const granlaw_choice first = {hooke, false, hooke_options, hooke_values, 0, NULL},
+                       second = {history, false, NULL, history_values, 0, NULL};
   const granlaw_setup all = {choices, 2, TYPES, 1.0};
   choices[0] = first, choices[1] = second, setup = all;
 }
@@ -54,6 +55,10 @@ static void set_ups(void) {
   EXPECT_REFUSED(prepare(), GRANLAW_MISUSE, "order of the kinds");
   choices[0].law = law(GRANLAW_NORMAL, "hooke/hysteresis"), choices[1].history_offset = 0;
   EXPECT_REFUSED(prepare(), GRANLAW_MISUSE, "history_offset");
+  fresh();
+  const int32_t nowhere[3] = {0, 1, -1};
+  choices[1].history_places = nowhere;
+  EXPECT_REFUSED(prepare(), GRANLAW_MISUSE, "history_places");
 }
 
 static void deck_faults(void) {

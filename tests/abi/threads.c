@@ -15,7 +15,7 @@ static void *run(void *p) {
   const size_t hooke = law(GRANLAW_NORMAL, "hooke");
   const double *values[MOST];
   look_up(hooke, deck, 4, values);
-  const granlaw_choice choice = {hooke, false, NULL, values, 0};
+  const granlaw_choice choice = {hooke, false, NULL, values, 0, NULL};
   const granlaw_setup setup = {&choice, 1, TYPES, 1.0};
   granlaw_chain *chain;
   const granlaw_status status = granlaw_prepare(&setup, &chain);

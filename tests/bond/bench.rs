@@ -48,14 +48,15 @@ impl Deck {
     }
 
     pub fn setup(&self) -> Setup {
-        let meta = find(Kind::Cohesion, "bond/nonlinear").unwrap().meta;
-        let mut settings = Settings::new(meta, false);
+        let law = find(Kind::Cohesion, "bond/nonlinear").unwrap();
+        let mut settings = Settings::new(law, false);
         // The last word on a setting holds.
         for (name, option) in &self.settings {
             settings.set(name, option).unwrap();
         }
-        let of = meta.props.iter().map(|p| vec![self.values.get(p.name).copied().unwrap_or(0.0)]).collect();
-        Setup { meta, settings, values: Values { types: 1, of }, nktv2p: 1.0 }
+        let of =
+            law.meta.props.iter().map(|p| vec![self.values.get(p.name).copied().unwrap_or(0.0)]).collect();
+        Setup { law, settings, values: Values { types: 1, of }, nktv2p: 1.0 }
     }
 
     pub fn chain(&self) -> Chain {
@@ -92,6 +93,7 @@ pub struct Driven {
     pub history: Vec<f64>,
     pub gap: Gap,
     pub stage: Stage,
+    pub life: Life,
     pub dt: f64,
 }
 
@@ -118,9 +120,16 @@ impl Driven {
     fn new(deck: &Deck, mut gap: Gap) -> Driven {
         let (chain, dt) = (deck.chain(), 1e-7);
         gap.call = Call { dt, update: true, counts: true, ..gap.call };
-        let mut driven = Driven { history: vec![0.0; chain.row()], chain, gap, stage: Stage::default(), dt };
+        let mut driven = Driven {
+            history: vec![0.0; chain.row()],
+            chain,
+            gap,
+            stage: Stage::default(),
+            life: Life::None,
+            dt,
+        };
         driven.evaluate();
-        assert_eq!(driven.stage.life, Life::Begins);
+        assert_eq!(driven.life, Life::Begins);
         driven
     }
 
@@ -130,7 +139,7 @@ impl Driven {
         g.delta = g.i.x - g.j.x;
         g.rsq = granlaw::lane::dot(&g.delta, &g.delta);
         self.stage = Stage::default();
-        self.chain.apart((0, 0), g, &mut self.history, &mut self.stage);
+        self.life = self.chain.apart((0, 0), g, &mut self.history, &mut self.stage).life;
     }
 
     /// One step in which i moves with v, and both spin.

@@ -180,7 +180,7 @@ fn told(deck: &Deck, s: &Start) -> f64 {
     let is_wall = matches!(s.partner, Partner::Plane { .. });
     let (massj, radj) = if is_wall { (0.0, 0.0) } else { (j.mass, j.radius) };
     let meff = if is_wall { i.mass } else { i.mass * massj / (i.mass + massj) };
-    let size = Size { radi: i.radius, radj, massi: i.mass, massj, meff, is_wall };
+    let size = Size { radi: i.radius, radj, massi: i.mass, massj, frozen: [false; 2], meff, is_wall };
     let swings = deck.chain().swings((0, 0), &size, 1e-3);
     swings.into_iter().map(|s| Mode::from(s).step()).fold(f64::INFINITY, f64::min)
 }
@@ -223,8 +223,8 @@ fn the_law_tells_the_critical_steps_of_unlike_bodies_and_of_a_wall() {
 #[test]
 fn damping_and_the_speed_of_a_blow_count() {
     let stiffness = |deck: &Deck, name: &str, speed: f64| {
-        let size =
-            Size { radi: R[0], radj: R[0], massi: M[0], massj: M[0], meff: 0.5 * M[0], is_wall: false };
+        let body = Body { radius: R[0], mass: M[0], ..Body::default() };
+        let size = Gap { i: body, j: body, ..Gap::default() }.weighed().size();
         let all = deck.chain().swings((0, 0), &size, speed);
         all.into_iter().find(|s| s.name == name).expect("a mode").stiffness
     };
@@ -282,7 +282,7 @@ fn a_bond_that_swings_round_in_one_step_breaks() {
         let mut pair = Driven::pair(&Deck::documented(), Vector3::x() * 1.02e-3);
         (0..5).for_each(|_| pair.step(Vector3::y() * 0.2, Vector3::z() * 100.0, Vector3::zeros()));
         pair.place(to.normalize() * 1.02e-3);
-        (pair.stage.life, pair.stage.force.norm(), pair.history.iter().all(|&h| h == 0.0))
+        (pair.life, pair.stage.force.norm(), pair.history.iter().all(|&h| h == 0.0))
     };
     let back = -Vector3::new(1.02e-3, 5.0 * 0.2e-7, 0.0);
     for to in [back, -Vector3::x(), -Vector3::y(), Vector3::new(-0.01, 1.0, 1.0)] {

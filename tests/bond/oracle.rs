@@ -144,7 +144,7 @@ fn follow(case: &Case, deck: &Deck) -> Result<Found, String> {
     for row in &case.rows {
         let gap = case.gap(row);
         let mut s = Stage::default();
-        chain.apart((0, 0), &gap, &mut h, &mut s);
+        let done = chain.apart((0, 0), &gap, &mut h, &mut s);
         let expected = |k: usize| Vector3::new(row[20 + 3 * k], row[21 + 3 * k], row[22 + 3 * k]);
         for axis in 0..3 {
             found.force.add(s.force[axis], expected(0)[axis]);
@@ -155,7 +155,7 @@ fn follow(case: &Case, deck: &Deck) -> Result<Found, String> {
         if bonded != (row[29] == 1.0) {
             return Err(format!("step {}: bonded {bonded}, which the oracle denies", row[0]));
         }
-        found.broke |= s.life == Life::Ends;
+        found.broke |= done.life == Life::Ends;
         if bonded && gap.call.update {
             let x = Contact { gap, ..Contact::default() };
             found.branches.insert(chain.observe((0, 0), &x, &h)[0].branch);

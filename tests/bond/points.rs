@@ -297,9 +297,9 @@ fn point_12_a_new_bond_is_virgin() {
         let spin = Vector3::x() * 600.0;
         (0..80).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
         pair.place(Vector3::x() * 1.2e-3);
-        assert_eq!((pair.stage.life, pair.stage.force), (Life::Ends, Vector3::zeros()), "{convention}");
+        assert_eq!((pair.life, pair.stage.force), (Life::Ends, Vector3::zeros()), "{convention}");
         pair.place(Vector3::x() * 1.02e-3);
-        assert_eq!(pair.stage.life, Life::Begins, "{convention}");
+        assert_eq!(pair.life, Life::Begins, "{convention}");
         (0..20).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
         pair.stage.torque_i.x
     };
@@ -343,7 +343,7 @@ fn point_14_the_strength_itself_breaks() {
         let deck = bond(convention).with("stressBreak", "on").set("maxSigmaBondnonlinear", strength * part);
         let mut pair = Driven::pair(&deck.set("maxTauBondnonlinear", 1e9), Vector3::x() * 1.02e-3);
         pair.place(Vector3::x() * 1.025e-3);
-        pair.stage.life == Life::Ends
+        pair.life == Life::Ends
     };
     assert_eq!(CONVENTIONS.map(|c| ends(c, 1.0)), [true, false]);
     assert_eq!(CONVENTIONS.map(|c| ends(c, 1.0 + 1e-9)), [false, false]);

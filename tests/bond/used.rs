@@ -10,7 +10,7 @@ const STIFFNESS: f64 = 1e10;
 fn pulled(deck: &Deck, to: f64) -> (f64, bool) {
     let mut pair = Driven::pair(deck, Vector3::x() * BEGUN);
     pair.place(Vector3::x() * to);
-    (pair.used(), pair.stage.life != Life::Ends)
+    (pair.used(), pair.life != Life::Ends)
 }
 
 fn by_stress(sigma: f64, tau: f64) -> Deck {

@@ -11,8 +11,8 @@ pub type Given<'a> = &'a [(&'a str, [f64; 2])];
 
 /// A law with the values that it asks for, two atom types.
 pub fn law(kind: Kind, name: &str, given: Given<'_>, chosen: &[(&str, &str)]) -> Setup {
-    let meta = find(kind, name).expect("a law").meta;
-    let mut settings = Settings::new(meta, false);
+    let law = find(kind, name).expect("a law");
+    let (meta, mut settings) = (law.meta, Settings::new(law, false));
     for (name, option) in chosen.iter().filter(|(n, _)| meta.settings.iter().any(|s| s.name == *n)) {
         settings.set(name, option).unwrap();
     }
@@ -23,14 +23,17 @@ pub fn law(kind: Kind, name: &str, given: Given<'_>, chosen: &[(&str, &str)]) ->
         (Some(v), Shape::PerType) => v.to_vec(),
         (Some(v), Shape::PerPair) => vec![v[0]; 4],
     });
-    Setup { meta, settings, values: Values { types: 2, of: values.collect() }, nktv2p: 1.0 }
+    Setup { law, settings, values: Values { types: 2, of: values.collect() }, nktv2p: 1.0 }
 }
 
 /// A chain of a normal law and at most one law of each other kind, all from the same values.
 pub fn chain(laws: &[(Kind, &str)], given: Given<'_>, chosen: &[(&str, &str)]) -> Chain {
     let setups: Vec<_> = laws.iter().map(|(kind, name)| law(*kind, name, given, chosen)).collect();
     for (name, _) in chosen {
-        assert!(setups.iter().any(|s| s.meta.settings.iter().any(|k| k.name == *name)), "no setting {name}");
+        assert!(
+            setups.iter().any(|s| s.law.meta.settings.iter().any(|k| k.name == *name)),
+            "no setting {name}"
+        );
     }
     Chain::packed(&setups).unwrap()
 }

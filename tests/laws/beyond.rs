@@ -115,7 +115,7 @@ fn units(r: &Recipe, path: &Path, _: &mut Draw<'_>) -> Outcome {
     let of = |u: &Unit| m.sqrt().powi(u.m2.into()) * kg.powi(u.kg.into()) * s.powi(u.s.into());
     let mut other = r.clone();
     for setup in &mut other.setups {
-        for (p, values) in setup.meta.props.iter().zip(&mut setup.values.of) {
+        for (p, values) in setup.law.meta.props.iter().zip(&mut setup.values.of) {
             values.iter_mut().for_each(|v| *v *= of(&p.unit));
         }
     }
@@ -214,7 +214,7 @@ fn survives(r: &Recipe, path: &Path, d: &mut Draw<'_>) -> Outcome {
 }
 
 fn laws() -> Vec<Laws> {
-    let beyond = LAWS.iter().map(|e| e.meta).filter(|m| m.reach == Reach::Beyond);
+    let beyond = LAWS.iter().filter(|e| e.meta.reach == Reach::Beyond);
     beyond
         .flat_map(|m| {
             let [before, after] = [chain_of(&["hertz"]), chain_of(&["history"])];
@@ -260,7 +260,8 @@ const DECLARED: [(Rule, Along); 6] = [
 fn rules_hold_or_are_declared_broken() {
     for laws in laws() {
         for (rule, check) in DECLARED {
-            let declared = laws.iter().any(|m| m.reach == Reach::Beyond && m.exception(rule).is_some());
+            let declared =
+                laws.iter().any(|e| e.meta.reach == Reach::Beyond && e.meta.exception(rule).is_some());
             let outcome = asked(&laws, Switches::Any, None, check);
             assert_eq!(outcome.is_err(), declared, "{rule:?} of {}: {outcome:?}", names(&laws));
         }
@@ -270,7 +271,7 @@ fn rules_hold_or_are_declared_broken() {
 /// The documented convention of the bond breaks none but the one that no bond can keep.
 #[test]
 fn the_documented_bond_keeps_the_rules() {
-    for laws in laws().into_iter().filter(|l| l.iter().any(|m| m.keyword == "bond/nonlinear")) {
+    for laws in laws().into_iter().filter(|l| l.iter().any(|e| e.meta.keyword == "bond/nonlinear")) {
         for (rule, check) in DECLARED.into_iter().filter(|(r, _)| *r != Rule::ApartClearsHistory) {
             asked(&laws, Switches::With("bondConvention", "documented"), None, check)
                 .unwrap_or_else(|e| panic!("{rule:?} of {}: {e}", names(&laws)));
@@ -294,7 +295,7 @@ fn every_slot_is_written_on_the_way() {
         })
         .unwrap();
         let seen = seen.into_inner();
-        let all: usize = laws.iter().map(|m| m.slots.len()).sum();
+        let all: usize = laws.iter().map(|e| e.meta.slots.len()).sum();
         assert_eq!(seen.len(), all, "{}", names(&laws));
         assert!(seen.values().all(|s| *s), "{}: {seen:?}", names(&laws));
     }

@@ -72,14 +72,14 @@ pub struct Recipe {
     pub fault: Option<Fault>,
 }
 
-pub type Laws = Vec<&'static Meta>;
+pub type Laws = Vec<&'static Entry>;
 
 impl Recipe {
     pub fn draw(laws: &Laws, switches: Switches, d: &mut Draw<'_>) -> Recipe {
-        let one = |m: &&'static Meta| {
-            let settings = settings(m, switches, d);
-            let of = m.props.iter().map(|p| values(p, d)).collect();
-            Setup { meta: m, settings, values: Values { types: 2, of }, nktv2p: 1.0 }
+        let one = |law: &&'static Entry| {
+            let settings = settings(law, switches, d);
+            let of = law.meta.props.iter().map(|p| values(p, d)).collect();
+            Setup { law, settings, values: Values { types: 2, of }, nktv2p: 1.0 }
         };
         Recipe { setups: laws.iter().map(one).collect(), fault: None }
     }
@@ -98,7 +98,7 @@ impl Recipe {
                 .filter(|(_, o)| *o != "off")
                 .map(|(n, o)| if o == "on" { n } else { o })
                 .collect();
-            format!("{} {on:?}", s.meta.keyword)
+            format!("{} {on:?}", s.law.meta.keyword)
         };
         self.setups.iter().map(chosen).collect::<Vec<_>>().join(" + ")
     }
@@ -108,9 +108,9 @@ impl Recipe {
     }
 }
 
-fn settings(m: &'static Meta, switches: Switches, d: &mut Draw<'_>) -> Settings {
-    let mut settings = Settings::new(m, false);
-    for s in m.settings.iter().filter(|s| s.support != Support::Refused) {
+fn settings(law: &'static Entry, switches: Switches, d: &mut Draw<'_>) -> Settings {
+    let mut settings = Settings::new(law, false);
+    for s in law.meta.settings {
         let option = match switches {
             Switches::Default if s.default.is_some() => continue,
             Switches::Default => s.options[0],
@@ -230,7 +230,7 @@ pub fn reseen(x: &Contact) -> Contact {
 
 /// Every normal law with every tangential and rolling law or none.
 pub fn chains() -> Vec<Laws> {
-    let of = |kind| LAWS.iter().map(|e| e.meta).filter(move |m: &&Meta| m.kind == kind);
+    let of = |kind| LAWS.iter().filter(move |e| e.meta.kind == kind);
     let or_none = |kind| std::iter::once(None).chain(of(kind).map(Some));
     let mut all = Vec::new();
     for n in of(Kind::Normal) {
@@ -244,7 +244,7 @@ pub fn chains() -> Vec<Laws> {
 }
 
 pub fn chain_of(names: &[&str]) -> Laws {
-    names.iter().map(|n| LAWS.iter().find(|e| e.meta.keyword == *n).expect("a law").meta).collect()
+    names.iter().map(|n| LAWS.iter().find(|e| e.meta.keyword == *n).expect("a law")).collect()
 }
 
 pub type Check = fn(&Recipe, &Case, &mut Draw<'_>) -> Result<(), String>;

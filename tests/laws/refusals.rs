@@ -1,4 +1,5 @@
 //! Set-ups that make no sense, made from what each law says of itself; the message must help.
+use granlaw::chain::Chain;
 use granlaw::law::*;
 use granlaw::laws::LAWS;
 
@@ -13,19 +14,18 @@ pub fn refuses<T>(outcome: Result<T, LawError>, words: &[&str]) -> Result<(), St
 }
 
 /// Everything in the middle of its usual range, settings at their defaults or as asked.
-pub fn sound(meta: &'static Meta, chosen: &[(&str, &str)]) -> Setup {
-    let mut settings = Settings::new(meta, false);
+pub fn sound(law: &'static Entry, chosen: &[(&str, &str)]) -> Setup {
+    let (meta, mut settings) = (law.meta, Settings::new(law, false));
     let open = meta.settings.iter().filter(|s| s.default.is_none()).map(|s| (s.name, s.options[0]));
     for (name, option) in open.chain(chosen.iter().copied()) {
         settings.set(name, option).unwrap();
     }
     let of = meta.props.iter().map(|p| vec![0.5 * (p.usual.0 + p.usual.1); p.shape.len(2)]).collect();
-    Setup { meta, settings, values: Values { types: 2, of }, nktv2p: 1.0 }
+    Setup { law, settings, values: Values { types: 2, of }, nktv2p: 1.0 }
 }
 
 fn prepare(setup: &Setup) -> Result<(), LawError> {
-    let entry = LAWS.iter().find(|e| std::ptr::eq(e.meta, setup.meta)).unwrap();
-    entry.prepare(setup).map(|_| ())
+    Chain::packed(std::slice::from_ref(setup)).map(|_| ())
 }
 
 /// Settings under which a property is needed.
@@ -41,7 +41,7 @@ fn needing(p: &Prop) -> Vec<(&'static str, &'static str)> {
 fn properties() -> impl Iterator<Item = (&'static Prop, usize, Setup)> {
     LAWS.iter().flat_map(|e| {
         e.meta.props.iter().enumerate().map(|(k, p)| {
-            let setup = sound(e.meta, &needing(p));
+            let setup = sound(e, &needing(p));
             assert_eq!(prepare(&setup), Ok(()));
             (p, k, setup)
         })
@@ -66,7 +66,7 @@ fn outside(range: &Range) -> Vec<f64> {
 fn a_missing_property_is_named_with_the_command_that_sets_it() {
     for (p, k, mut setup) in properties() {
         setup.values.of[k].clear();
-        let law = setup.meta.called(false);
+        let law = setup.law.meta.called(false);
         refuses(prepare(&setup), &[&law, p.name, p.shape.keyword(), "property/global"]).unwrap();
     }
 }
@@ -75,7 +75,7 @@ fn a_missing_property_is_named_with_the_command_that_sets_it() {
 fn a_property_that_the_settings_do_not_call_for_may_be_missing() {
     let mut left_out = 0;
     for e in LAWS {
-        let mut setup = sound(e.meta, &[]);
+        let mut setup = sound(e, &[]);
         for (p, values) in e.meta.props.iter().zip(&mut setup.values.of) {
             if !setup.settings.need(p.need) {
                 values.clear();
@@ -91,7 +91,7 @@ fn a_property_that_the_settings_do_not_call_for_may_be_missing() {
 fn a_wrong_number_of_values_is_counted() {
     for (p, k, mut setup) in properties() {
         setup.values.of[k].push(1.0);
-        let (law, got) = (setup.meta.called(false), setup.values.of[k].len().to_string());
+        let (law, got) = (setup.law.meta.called(false), setup.values.of[k].len().to_string());
         refuses(prepare(&setup), &[&law, p.name, &got, &p.shape.len(2).to_string()]).unwrap();
     }
 }
@@ -107,7 +107,7 @@ fn a_value_out_of_range_is_named_with_its_types_and_what_is_allowed() {
         for bad in outside(&p.range) {
             let mut setup = setup.clone();
             setup.values.of[k][place] = bad;
-            let (law, value) = (setup.meta.called(false), format!("= {bad}"));
+            let (law, value) = (setup.law.meta.called(false), format!("= {bad}"));
             refuses(prepare(&setup), &[&law, p.name, &value, types, &p.range.to_string()])
                 .unwrap_or_else(|e| panic!("{bad}: {e}"));
         }
@@ -141,10 +141,10 @@ fn the_ends_of_every_closed_range_and_the_usual_values_are_allowed() {
 fn a_setting_that_is_not_done_is_refused_by_name_when_it_is_on_under_either_name() {
     let mut refused = 0;
     for e in LAWS {
-        for s in e.meta.settings.iter().filter(|s| s.support == Support::Refused) {
+        for s in e.liggghts.refused {
             for taken_over in [false, true] {
-                let mut setup = sound(e.meta, &[]);
-                setup.settings = Settings::new(e.meta, taken_over);
+                let mut setup = sound(e, &[]);
+                setup.settings = Settings::new(e, taken_over);
                 setup.settings.set(s.name, "on").unwrap();
                 let words = [&e.meta.called(taken_over)[..], s.name, "not supported", s.doc];
                 refuses(prepare(&setup), &words).unwrap();
@@ -160,12 +160,12 @@ fn a_setting_without_default_must_be_chosen_and_its_options_are_explained() {
     let mut open = 0;
     for e in LAWS {
         for s in e.meta.settings.iter().filter(|s| s.default.is_none()) {
-            let mut setup = sound(e.meta, &[]);
-            setup.settings = Settings::new(e.meta, false);
+            let mut setup = sound(e, &[]);
+            setup.settings = Settings::new(e, false);
             for other in e.meta.settings.iter().filter(|o| o.default.is_none() && o.name != s.name) {
                 setup.settings.set(other.name, other.options[0]).unwrap();
             }
-            let law = setup.meta.called(false);
+            let law = setup.law.meta.called(false);
             let mut words = vec![&law[..], s.name, "must be given", s.doc];
             words.extend(s.options);
             refuses(prepare(&setup), &words).unwrap();
@@ -183,11 +183,11 @@ fn a_setting_without_default_must_be_chosen_and_its_options_are_explained() {
 fn an_unknown_setting_or_option_is_answered_with_the_known_ones() {
     for e in LAWS {
         let law = e.meta.called(false);
-        let mut settings = Settings::new(e.meta, false);
+        let mut settings = Settings::new(e, false);
         let mut words = vec![&law[..], "viscuous"];
-        words.extend(e.meta.settings.iter().map(|s| s.name));
+        words.extend(e.settings().map(|s| s.name));
         refuses(settings.set("viscuous", "on"), &words).unwrap();
-        for s in e.meta.settings {
+        for s in e.settings() {
             let mut words = vec![&law[..], s.name, "maybe"];
             words.extend(s.options);
             refuses(settings.set(s.name, "maybe"), &words).unwrap();
@@ -198,7 +198,7 @@ fn an_unknown_setting_or_option_is_answered_with_the_known_ones() {
 #[test]
 fn a_law_that_has_taken_over_speaks_under_the_stock_name() {
     for e in LAWS {
-        let mut settings = Settings::new(e.meta, true);
+        let mut settings = Settings::new(e, true);
         let message = settings.set("viscuous", "on").unwrap_err().to_string();
         assert!(message.starts_with(&format!("{}: ", e.meta.keyword)), "{message}");
     }
@@ -206,7 +206,7 @@ fn a_law_that_has_taken_over_speaks_under_the_stock_name() {
 
 #[test]
 fn the_check_itself_sees_a_set_up_that_passes_and_a_word_that_is_missing() {
-    let setup = sound(LAWS[0].meta, &[]);
+    let setup = sound(&LAWS[0], &[]);
     assert!(refuses(prepare(&setup), &[]).unwrap_err().contains("not refused"));
     let mut setup = setup;
     setup.values.of[0].clear();

@@ -128,7 +128,7 @@ pub fn units(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let of = |u: &Unit| m.sqrt().powi(u.m2.into()) * scale(0, u.kg.into(), u.s.into());
     let mut other = r.clone();
     for setup in &mut other.setups {
-        for (p, values) in setup.meta.props.iter().zip(&mut setup.values.of) {
+        for (p, values) in setup.law.meta.props.iter().zip(&mut setup.values.of) {
             values.iter_mut().for_each(|v| *v *= of(&p.unit));
         }
     }
@@ -191,7 +191,7 @@ pub fn clears(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     if let Some(k) = h.iter().position(|h| *h != 0.0) {
         return Err(format!("slot {k} keeps {} after separation", h[k]));
     }
-    if s.force != Vector3::zeros() && r.setups.iter().all(|s| s.meta.reach == Reach::Overlap) {
+    if s.force != Vector3::zeros() && r.setups.iter().all(|s| s.law.meta.reach == Reach::Overlap) {
         return Err(format!("force {} after separation", s.force));
     }
     Ok(())
@@ -281,7 +281,7 @@ pub fn wall_limit(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 
 /// Every slot, empty before, holds something after some contact.
 pub fn written(laws: &Laws, fault: Option<Fault>) -> Outcome {
-    let seen = RefCell::new(vec![false; laws.iter().map(|m| m.slots.len()).sum()]);
+    let seen = RefCell::new(vec![false; laws.iter().map(|e| e.meta.slots.len()).sum()]);
     for_all(laws, Switches::Any, 20, fault, |r, c, _| {
         let (mut x, mut h) = (c.contact, vec![0.0; c.history.len()]);
         x.gap.call.update = true;

@@ -18,8 +18,8 @@ const KC: f64 = 0.5;
 
 impl Bench {
     fn new(chosen: &[(&str, &str)], fault: Option<Fault>) -> Bench {
-        let mut setup = sound(find(Kind::Normal, "hooke/hysteresis").unwrap().meta, chosen);
-        for (p, v) in setup.meta.props.iter().zip(&mut setup.values.of) {
+        let mut setup = sound(find(Kind::Normal, "hooke/hysteresis").unwrap(), chosen);
+        for (p, v) in setup.law.meta.props.iter().zip(&mut setup.values.of) {
             match p.name {
                 "coefficientRestitution" => v.fill(1.0),
                 "coefficientMaxElasticStiffness" => v.fill(K2MAX),

@@ -112,7 +112,8 @@ fn coarse_graining_is_refused_as_stock_does() {
     let dir = tempfile::tempdir().unwrap();
     let coarse = coarse(dir.path());
     let mut refused = 0;
-    for meta in LAWS.iter().map(|e| e.meta) {
+    for law in LAWS {
+        let meta = law.meta;
         for side in each_side(&chain_with(meta, false)) {
             let side = side.without("run ").program(coarse.clone());
             if meta.coarse_graining {
@@ -124,7 +125,7 @@ fn coarse_graining_is_refused_as_stock_does() {
                 refused += 1;
             }
         }
-        let Some(_) = meta.stock_id else { continue };
+        let Some(_) = law.liggghts.stock_id else { continue };
         let stock = Deck::new(&chain_with(meta, true), "model hertz").without("run ").program(coarse.clone());
         if meta.coarse_graining {
             stock.runs_on_stock();

@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /* Goes up whenever a struct or the meaning of a call changes. Compare with granlaw_abi_version(). */
-#define GRANLAW_ABI_VERSION 2
+#define GRANLAW_ABI_VERSION 3
 
 /* How a call ended. */
 typedef int32_t granlaw_status;
@@ -75,16 +75,17 @@ typedef struct granlaw_slot {
   const char *name;
   const char *newton;                /* "0": even; "1": changes sign when i and j change places */
   const char *unit;
+  bool always;                       /* whether there is room for it whatever the settings; else ask granlaw_needs_slot */
 } granlaw_slot;
 
-/* How many properties of single atoms there are room for in granlaw_pass. */
-enum { GRANLAW_ATOM_PROPS = 1 };
+/* How many numbers per atom there are room for in granlaw_pass: those that laws read, and those that they add to. */
+enum { GRANLAW_ATOM_PROPS = 1, GRANLAW_ATOM_OUTPUTS = 1 };
 
-/* A number that a deck may give every atom. */
+/* A number per atom. */
 typedef struct granlaw_atom_prop {
   const char *name;                  /* as in fix property/atom */
   const char *doc;
-  size_t place;                      /* where it stands in granlaw_pass.given */
+  size_t place;                      /* where it stands in granlaw_pass.given or granlaw_pass.outputs */
 } granlaw_atom_prop;
 
 /* A law. */
@@ -104,6 +105,8 @@ typedef struct granlaw_law {
   size_t n_settings;
   const granlaw_atom_prop *atoms;    /* what it reads of each atom where the deck gives it */
   size_t n_atoms;
+  const granlaw_atom_prop *outputs;  /* what it adds to each atom in every evaluation */
+  size_t n_outputs;
   bool anchors;                      /* whether it holds particles to a point of a wall */
   const char *bonds;                 /* what it calls the bonds that it keeps; NULL if it keeps none */
   const granlaw_slot *slots;
@@ -135,6 +138,8 @@ typedef struct granlaw_choice {
   const int32_t *options;            /* one index per setting, -1: default; NULL: all default */
   const double *const *values;       /* per property: 1, n_types or n_types^2 numbers (row by row), NULL if not given */
   size_t history_offset;             /* first slot of this law in a contact's row of history; no two may overlap */
+  const int32_t *history_places;     /* place of each slot of the descriptor in the row, -1 where it has none;
+                                        NULL: one behind the other from history_offset */
 } granlaw_choice;
 
 /* A chain to be prepared. Everything is copied; nothing needs to outlive the call. */
@@ -224,6 +229,7 @@ typedef struct granlaw_pass {
   int frozen;                        /* group bit of the particles that are held in place; 0 for none */
   int n_local;                       /* particles of this rank: lower indices; a pair with another is counted once */
   const double *given[GRANLAW_ATOM_PROPS]; /* one number per particle, NULL where the deck gives none */
+  double *outputs[GRANLAW_ATOM_OUTPUTS];   /* one number per particle, added to; NULL where nobody wants them */
 } granlaw_pass;
 
 /* Once before the contacts of a step, and before any single wall contact. */

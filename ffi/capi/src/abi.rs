@@ -1,4 +1,4 @@
-pub const GRANLAW_ABI_VERSION: u32 = 2;
+pub const GRANLAW_ABI_VERSION: u32 = 3;
 pub type granlaw_status = i32;
 pub const GRANLAW_OK: _bindgen_ty_1 = 0;
 pub const GRANLAW_REFUSED: _bindgen_ty_1 = 1;
@@ -51,8 +51,10 @@ pub struct granlaw_slot {
     pub name: *const ::std::os::raw::c_char,
     pub newton: *const ::std::os::raw::c_char,
     pub unit: *const ::std::os::raw::c_char,
+    pub always: bool,
 }
 pub const GRANLAW_ATOM_PROPS: _bindgen_ty_5 = 1;
+pub const GRANLAW_ATOM_OUTPUTS: _bindgen_ty_5 = 1;
 pub type _bindgen_ty_5 = ::std::os::raw::c_uint;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -79,6 +81,8 @@ pub struct granlaw_law {
     pub n_settings: usize,
     pub atoms: *const granlaw_atom_prop,
     pub n_atoms: usize,
+    pub outputs: *const granlaw_atom_prop,
+    pub n_outputs: usize,
     pub anchors: bool,
     pub bonds: *const ::std::os::raw::c_char,
     pub slots: *const granlaw_slot,
@@ -92,6 +96,7 @@ pub struct granlaw_choice {
     pub options: *const i32,
     pub values: *const *const f64,
     pub history_offset: usize,
+    pub history_places: *const i32,
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -179,6 +184,7 @@ pub struct granlaw_pass {
     pub frozen: ::std::os::raw::c_int,
     pub n_local: ::std::os::raw::c_int,
     pub given: [*const f64; 1usize],
+    pub outputs: [*mut f64; 1usize],
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]

@@ -2,6 +2,7 @@
 use crate::abi::*;
 use crate::call;
 use crate::status::Failure;
+use granlaw::chain::Done;
 use granlaw::law::{Body, Contact, Gap, Meta, Settings, Setup, Stage, Surface, Values};
 use granlaw::laws::LAWS;
 use nalgebra::Vector3;
@@ -22,10 +23,10 @@ pub unsafe fn slice<'a, T>(p: *const T, n: usize) -> &'a [T] {
 /// # Safety
 /// `options` is NULL or leads to one index per setting of the law.
 pub unsafe fn settings(law: usize, taken_over: bool, options: *const i32) -> Result<Settings, Failure> {
-    let meta = LAWS.get(law).ok_or(Failure::misuse("no law has that index"))?.meta;
-    let mut settings = Settings::new(meta, taken_over);
+    let law = LAWS.get(law).ok_or(Failure::misuse("no law has that index"))?;
+    let mut settings = Settings::new(law, taken_over);
     // SAFETY: as the caller promises.
-    for (setting, k) in meta.settings.iter().zip(unsafe { slice(options, meta.settings.len()) }) {
+    for (setting, k) in law.settings().zip(unsafe { slice(options, law.settings().count()) }) {
         if *k >= 0 {
             let option =
                 setting.options.get(*k as usize).ok_or(Failure::misuse("no option has that index"))?;
@@ -35,48 +36,69 @@ pub unsafe fn settings(law: usize, taken_over: bool, options: *const i32) -> Res
     Ok(settings)
 }
 
-/// All laws of a chain, and where their histories begin.
+/// All laws of a chain, and where the slots of their histories lie in a row.
 ///
 /// # Safety
 /// The arrays have the lengths that `granlaw.h` states.
-pub unsafe fn setups(from: &granlaw_setup) -> Result<(Vec<Setup>, Vec<usize>), Failure> {
+pub unsafe fn setups(from: &granlaw_setup) -> Result<(Vec<Setup>, Vec<Vec<usize>>), Failure> {
     let types = from.n_types;
     if types == 0 || from.n_laws == 0 || from.laws.is_null() {
         return Err(Failure::misuse("n_types is 0 or there are no laws"));
     }
-    let (mut setups, mut offsets) = (Vec::new(), Vec::new());
+    let (mut setups, mut places) = (Vec::new(), Vec::new());
     // SAFETY: as the caller promises, here and in the loop.
     for choice in unsafe { slice(from.laws, from.n_laws) } {
         // SAFETY: as above.
         let settings = unsafe { settings(choice.law, choice.taken_over, choice.options) }?;
-        let meta = LAWS[choice.law].meta;
+        let law = &LAWS[choice.law];
         // SAFETY: as above.
-        let given = unsafe { slice(choice.values, meta.props.len()) };
-        let values = meta.props.iter().enumerate().map(|(k, prop)| match given.get(k) {
+        let given = unsafe { slice(choice.values, law.meta.props.len()) };
+        let values = law.meta.props.iter().enumerate().map(|(k, prop)| match given.get(k) {
             // SAFETY: a property has as many values as its shape says.
             Some(p) => unsafe { slice(*p, prop.shape.len(types)) }.to_vec(),
             None => Vec::new(),
         });
         let values = Values { types, of: values.collect() };
-        setups.push(Setup { meta, settings, values, nktv2p: from.nktv2p });
-        offsets.push(choice.history_offset);
+        let setup = Setup { law, settings, values, nktv2p: from.nktv2p };
+        // SAFETY: as above.
+        places.push(unsafe { places_of(&setup, choice) }?);
+        setups.push(setup);
     }
     in_order(&setups)?;
-    apart(&setups, &offsets)?;
-    Ok((setups, offsets))
+    apart(&places)?;
+    Ok((setups, places))
+}
+
+/// # Safety
+/// `history_places` is NULL or leads to one place per slot of the law.
+unsafe fn places_of(setup: &Setup, choice: &granlaw_choice) -> Result<Vec<usize>, Failure> {
+    let slots = setup.law.meta.slots;
+    if choice.history_places.is_null() {
+        let end = choice.history_offset.checked_add(setup.slots().count());
+        let end = end.ok_or(Failure::misuse("history_offset is too large"))?;
+        return Ok((choice.history_offset..end).collect());
+    }
+    // SAFETY: as the caller promises.
+    let given = unsafe { slice(choice.history_places, slots.len()) };
+    let wanted = slots.iter().zip(given).filter(|(s, _)| setup.settings.need(s.need));
+    let place = |(_, at): (_, &i32)| usize::try_from(*at).ok();
+    wanted
+        .map(place)
+        .collect::<Option<_>>()
+        .ok_or(Failure::misuse("history_places: a slot that the settings call for has no place"))
 }
 
 fn in_order(setups: &[Setup]) -> Result<(), Failure> {
-    if setups.windows(2).all(|s| s[0].meta.kind < s[1].meta.kind) {
+    if setups.windows(2).all(|s| s[0].law.meta.kind < s[1].law.meta.kind) {
         return Ok(());
     }
     Err(Failure::misuse("the laws must come in the order of the kinds, at most one of each"))
 }
 
-fn apart(setups: &[Setup], offsets: &[usize]) -> Result<(), Failure> {
-    let ends = |k: usize| offsets[k].saturating_add(setups[k].meta.slots.len());
-    let meet = |a: usize, b: usize| offsets[a].max(offsets[b]) < ends(a).min(ends(b));
-    if (0..offsets.len()).any(|a| (0..a).any(|b| meet(a, b))) {
+fn apart(places: &[Vec<usize>]) -> Result<(), Failure> {
+    let mut all: Vec<_> = places.iter().flatten().collect();
+    all.sort_unstable();
+    if all.windows(2).any(|p| p[0] == p[1]) {
         return Err(Failure::misuse("history_offset: two laws would write to the same slot"));
     }
     Ok(())
@@ -124,24 +146,19 @@ unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 
         let place =
             |k: i32| if pass.x.is_null() { Vector3::zeros() } else { vector(pass.x.add(3 * k as usize)) };
         let tag = |k: i32| if pass.tag.is_null() { 0 } else { i64::from(*pass.tag.add(k as usize)) };
-        let heavy = |k: i32, mass: f64| {
-            let held =
-                pass.frozen != 0 && !pass.mask.is_null() && *pass.mask.add(k as usize) & pass.frozen != 0;
-            if held {
-                f64::INFINITY
-            } else {
-                mass
-            }
+        let frozen = |k: i32| {
+            pass.frozen != 0 && !pass.mask.is_null() && *pass.mask.add(k as usize) & pass.frozen != 0
         };
         let given = |k: i32| {
             pass.given.map(|given| if given.is_null() { f64::NEG_INFINITY } else { *given.add(k as usize) })
         };
         let delta = Vector3::from(s.delta);
-        let (x, mass_i) = (place(s.i), heavy(s.i, mass[0]));
+        let x = place(s.i);
         let i = Body {
             tag: tag(s.i),
             radius: s.radi,
-            mass: mass_i,
+            mass: mass[0],
+            frozen: frozen(s.i),
             x,
             v: vector(s.v_i),
             omega: vector(s.omega_i),
@@ -151,9 +168,9 @@ unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 
             let tag = -1 - i64::from(s.j.max(0));
             Body { tag, x: x - delta, v: vector(s.v_j), ..Body::default() }
         } else {
-            let (x, omega, mass) = (place(s.j), vector(s.omega_j), heavy(s.j, mass[1]));
+            let (x, omega, frozen, mass) = (place(s.j), vector(s.omega_j), frozen(s.j), mass[1]);
             let (v, given) = (vector(s.v_j), given(s.j));
-            Body { tag: tag(s.j), radius: s.radj, mass, x, v, omega, given }
+            Body { tag: tag(s.j), radius: s.radj, mass, frozen, x, v, omega, given }
         };
         Gap { call: call(pass, s, i.tag, j.tag), i, j, delta, rsq: s.rsq, meff: 0.0 }
     }
@@ -179,7 +196,7 @@ pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) 
         (gap.i.omega - gap.j.omega, s.crj)
     };
     let vtr = Vector3::new(s.vtr1, s.vtr2, s.vtr3);
-    let surface = Surface { deltan: s.deltan, vn: s.vn, en: s.en.into(), vtr, roll, cri: s.cri, crj };
+    let surface = Surface { r: s.r, deltan: s.deltan, vn: s.vn, en: s.en.into(), vtr, roll, cri: s.cri, crj };
     Contact { gap, surface }
 }
 
@@ -227,16 +244,34 @@ fn whole(torque: &mut Vector3<f64>, share: f64) {
     }
 }
 
+/// Add what the laws give to single atoms: to i, and to j unless it is a wall.
+///
+/// # Safety
+/// The arrays of the pass reach as far as the indices of `s`.
+#[inline]
+pub unsafe fn add_outputs(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, done: &Done) {
+    for (place, to) in pass.outputs.iter().enumerate().filter(|(_, to)| !to.is_null()) {
+        // SAFETY: as the caller promises.
+        unsafe {
+            *to.add(s.i as usize) += done.outputs[0][place];
+            if !s.is_wall {
+                *to.add(s.j as usize) += done.outputs[1][place];
+            }
+        }
+    }
+}
+
 /// Add the force, the opposite one to j and none to a wall; the torques hold what was there before.
 #[inline]
 pub fn hand_out(
     stage: &Stage,
+    done: &Done,
     s: &granlaw_surfaces_close_data,
     fi: &mut granlaw_force_data,
     fj: &mut granlaw_force_data,
 ) {
     let share = if s.is_wall { s.area_ratio } else { 1.0 };
-    if stage.replaces {
+    if done.replaces {
         (fi.delta_F, fj.delta_F) = ([0.0; 3], [0.0; 3]);
     }
     for k in 0..3 {

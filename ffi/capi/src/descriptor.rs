@@ -1,7 +1,7 @@
 //! `LAWS` as C sees them, built once and kept for ever.
 use crate::abi::*;
 use crate::c_string;
-use granlaw::law::{AtomProp, Kind, Meta, Newton, Prop, Reach, Setting, Shape, Slot, Support};
+use granlaw::law::{AtomProp, Entry, Kind, Need, Newton, Prop, Reach, Setting, Shape, Slot, Support};
 use granlaw::laws::LAWS;
 use std::ffi::c_char;
 use std::sync::OnceLock;
@@ -15,17 +15,20 @@ unsafe impl Sync for Table {}
 /// One descriptor per law, in the order of `LAWS`.
 pub fn table() -> &'static [granlaw_law] {
     static TABLE: OnceLock<Table> = OnceLock::new();
-    &TABLE.get_or_init(|| Table(LAWS.iter().map(|e| law(e.meta)).collect())).0
+    &TABLE.get_or_init(|| Table(LAWS.iter().map(law).collect())).0
 }
 
 fn text(s: &str) -> *const c_char {
     c_string(s).into_raw()
 }
 
-fn law(m: &Meta) -> granlaw_law {
+fn law(e: &Entry) -> granlaw_law {
+    let (m, b) = (e.meta, e.liggghts);
     let props: &[granlaw_prop] = Vec::leak(m.props.iter().map(prop).collect());
-    let settings: &[granlaw_setting] = Vec::leak(m.settings.iter().map(setting).collect());
+    let settings: &[granlaw_setting] =
+        Vec::leak(e.settings().map(|s| setting(s, e.support(s.name))).collect());
     let atoms: &[granlaw_atom_prop] = Vec::leak(m.atoms.iter().map(atom).collect());
+    let outputs: &[granlaw_atom_prop] = Vec::leak(m.outputs.iter().map(atom).collect());
     let slots: &[granlaw_slot] = Vec::leak(m.slots.iter().map(slot).collect());
     granlaw_law {
         kind: match m.kind {
@@ -36,8 +39,8 @@ fn law(m: &Meta) -> granlaw_law {
         } as i32,
         keyword: text(m.keyword),
         own_keyword: text(&m.called(false)),
-        id: m.id.into(),
-        stock_id: m.stock_id.map_or(-1, i32::from),
+        id: b.id.into(),
+        stock_id: b.stock_id.map_or(-1, i32::from),
         summary: text(m.summary),
         stress_strain_exponent: m.stress_strain_exponent,
         beyond_contact: m.reach == Reach::Beyond,
@@ -48,6 +51,8 @@ fn law(m: &Meta) -> granlaw_law {
         n_settings: settings.len(),
         atoms: atoms.as_ptr(),
         n_atoms: atoms.len(),
+        outputs: outputs.as_ptr(),
+        n_outputs: outputs.len(),
         anchors: m.anchors,
         bonds: m.bonds.map_or(std::ptr::null(), text),
         slots: slots.as_ptr(),
@@ -75,14 +80,14 @@ fn prop(p: &Prop) -> granlaw_prop {
     }
 }
 
-fn setting(s: &Setting) -> granlaw_setting {
+fn setting(s: &Setting, support: Support) -> granlaw_setting {
     let options: &[*const c_char] = Vec::leak(s.options.iter().map(|o| text(o)).collect());
     granlaw_setting {
         name: text(s.name),
         options: options.as_ptr(),
         n_options: options.len(),
         default_option: s.default.and_then(|d| s.index(d)).map_or(-1, |k| k as i32),
-        support: match s.support {
+        support: match support {
             Support::Full => GRANLAW_SUPPORT_FULL,
             Support::OwnOnly => GRANLAW_SUPPORT_OWN_ONLY,
             Support::StockIgnores => GRANLAW_SUPPORT_STOCK_IGNORES,
@@ -101,5 +106,10 @@ fn slot(s: &Slot) -> granlaw_slot {
         Newton::Even => "0",
         Newton::Odd => "1",
     };
-    granlaw_slot { name: text(s.name), newton: text(newton), unit: text(s.unit.label) }
+    granlaw_slot {
+        name: text(s.name),
+        newton: text(newton),
+        unit: text(s.unit.label),
+        always: s.need == Need::Always,
+    }
 }

@@ -12,12 +12,12 @@ mod descriptor;
 pub mod status;
 
 use abi::*;
-use granlaw::chain::{Bonds, Chain, Marks, Wall};
+use granlaw::chain::{Bonds, Chain, Done, Wall};
 use granlaw::law::{Call, Contact, Stage};
 use granlaw::laws::LAWS;
 use status::{boundary, Failure};
 use std::ffi::{c_char, CString};
-use std::ptr::null;
+use std::ptr::{null, null_mut};
 
 /// A prepared chain with what holds for the present pass.
 pub struct granlaw_chain {
@@ -35,6 +35,7 @@ const NO_PASS: granlaw_pass = granlaw_pass {
     frozen: 0,
     n_local: 0,
     given: [null(); GRANLAW_ATOM_PROPS as usize],
+    outputs: [null_mut(); GRANLAW_ATOM_OUTPUTS as usize],
 };
 
 #[no_mangle]
@@ -125,8 +126,8 @@ pub unsafe extern "C" fn granlaw_prepare(
         };
         *out = std::ptr::null_mut();
         // SAFETY: the arrays in `setup` have the lengths that granlaw.h states.
-        let (setups, offsets) = unsafe { convert::setups(setup) }?;
-        let chain = Chain::new(&setups, &offsets).map_err(|e| Failure::refused(e.to_string()))?;
+        let (setups, places) = unsafe { convert::setups(setup) }?;
+        let chain = Chain::new(&setups, &places).map_err(|e| Failure::refused(e.to_string()))?;
         let remarks = chain.remarks().map(c_string).collect();
         *out = Box::into_raw(Box::new(granlaw_chain { chain, pass: NO_PASS, remarks }));
         Ok(())
@@ -237,11 +238,13 @@ pub unsafe extern "C" fn granlaw_surfaces_intersect(
         (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat) = (s.Fn, s.kn, s.kt, s.gamman, s.gammat);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.close.contact_history, c.chain.row()) }?;
-        let marks = c.chain.touch(types, &x, row, &mut stage);
+        let done = c.chain.touch(types, &x, row, &mut stage);
         (s.Fn, s.kn, s.kt, s.gamman, s.gammat) = (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat);
         // SAFETY: contact_flags is NULL or valid.
-        unsafe { mark(s.close.contact_flags, marks) };
-        convert::hand_out(&stage, &s.close, fi, fj);
+        unsafe { mark(s.close.contact_flags, &done) };
+        // SAFETY: the arrays of the pass reach as far as its indices.
+        unsafe { convert::add_outputs(&c.pass, &s.close, &done) };
+        convert::hand_out(&stage, &done, &s.close, fi, fj);
         Ok(())
     })
 }
@@ -270,11 +273,13 @@ pub unsafe extern "C" fn granlaw_surfaces_close(
         let mut stage = convert::stage(s, fi, fj);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.contact_history, c.chain.row()) }?;
-        let marks = c.chain.apart(types, &x, row, &mut stage);
+        let done = c.chain.apart(types, &x, row, &mut stage);
         // SAFETY: contact_flags is NULL or valid.
-        unsafe { mark(s.contact_flags, marks) };
-        s.has_force_update |= stage.acts || stage.force != Stage::<f64>::default().force;
-        convert::hand_out(&stage, s, fi, fj);
+        unsafe { mark(s.contact_flags, &done) };
+        // SAFETY: the arrays of the pass reach as far as its indices.
+        unsafe { convert::add_outputs(&c.pass, s, &done) };
+        s.has_force_update |= done.acts || stage.force != Stage::<f64>::default().force;
+        convert::hand_out(&stage, &done, s, fi, fj);
         Ok(())
     })
 }
@@ -289,10 +294,10 @@ pub unsafe extern "C" fn granlaw_end_pass(chain: *mut granlaw_chain) -> granlaw_
 
 /// # Safety
 /// `flags` is NULL or valid for reading and writing.
-unsafe fn mark(flags: *mut i32, marks: Marks) {
+unsafe fn mark(flags: *mut i32, done: &Done) {
     // SAFETY: as the caller promises.
     if let Some(flags) = unsafe { flags.as_mut() } {
-        *flags = (*flags | marks.set) & !marks.clear;
+        *flags = (*flags | done.set) & !done.clear;
     }
 }
 

@@ -41,13 +41,17 @@ pub trait Batch {
     fn bytes(&self) -> usize;
 }
 
-/// The chain of laws, as wide as asked for; `offsets[k]` is where the history of `setups[k]` begins. `None` where a law
+/// The chain of laws, as wide as asked for; `places[k]` is where the slots of `setups[k]` lie in a row of history. `None` where a law
 /// has no lanes.
 ///
 /// # Errors
 /// The first thing that a law refuses.
-pub fn batch(setups: &[Setup], offsets: &[usize], width: Width) -> Result<Option<Box<dyn Batch>>, LawError> {
-    unit::batch(setups, offsets, width)
+pub fn batch(
+    setups: &[Setup],
+    places: &[Vec<usize>],
+    width: Width,
+) -> Result<Option<Box<dyn Batch>>, LawError> {
+    unit::batch(setups, places, width)
 }
 
 /// The same, as wide as suits each neighbour list: one contact at a time among a handful of particles, else
@@ -55,7 +59,7 @@ pub fn batch(setups: &[Setup], offsets: &[usize], width: Width) -> Result<Option
 ///
 /// # Errors
 /// As [`batch`].
-pub fn fitting(setups: &[Setup], offsets: &[usize]) -> Result<Option<Box<dyn Batch>>, LawError> {
-    let [one, wide] = [batch(setups, offsets, Width::One)?, batch(setups, offsets, Width::widest())?];
+pub fn fitting(setups: &[Setup], places: &[Vec<usize>]) -> Result<Option<Box<dyn Batch>>, LawError> {
+    let [one, wide] = [batch(setups, places, Width::One)?, batch(setups, places, Width::widest())?];
     Ok(one.zip(wide).map(|(one, wide)| Box::new(few::Fitting::new(one, wide)) as Box<dyn Batch>))
 }

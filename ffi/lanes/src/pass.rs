@@ -7,8 +7,7 @@ use crate::near::Near;
 use crate::seen::{size, Seen};
 use crate::unit::Unit;
 use crate::Batch;
-use granlaw::chain::Marks;
-use granlaw::law::{Call, LawError, Mark, Meta, Setup};
+use granlaw::law::{Call, LawError, Mark, Setup};
 use granlaw::laws::all;
 use thiserror::Error;
 
@@ -37,14 +36,11 @@ pub struct NonFinite {
 /// A neighbour without a fit.
 const NONE: u32 = u32::MAX;
 
-struct Link<L> {
-    meta: &'static Meta,
-    kernel: Box<dyn Kernel<L>>,
-}
-
 /// A chain over lanes of one width.
 pub(crate) struct Pass<L: Unit> {
-    links: Vec<Link<L>>,
+    laws: Vec<Box<dyn Kernel<L>>>,
+    /// The contact flags of all laws, to set and to clear.
+    flags: [i32; 2],
     types: usize,
     /// The length that a row of history must have at least.
     row: usize,
@@ -63,17 +59,25 @@ pub(crate) struct Pass<L: Unit> {
 
 impl<L: Unit + 'static> Pass<L> {
     /// See [`crate::batch`].
-    pub fn boxed(setups: &[Setup], offsets: &[usize]) -> Result<Option<Box<dyn Batch>>, LawError> {
-        let mut links = Vec::with_capacity(setups.len());
-        for (setup, at) in setups.iter().zip(offsets) {
-            let law = (setup.meta.kind, setup.meta.keyword);
-            let entry = all::<Kernels<L>>().iter().find(|e| (e.meta.kind, e.meta.keyword) == law);
-            let Some(prepare) = entry.and_then(|e| e.make()) else { return Ok(None) };
-            links.push(Link { meta: setup.meta, kernel: prepare(setup, *at)? });
+    pub fn boxed(setups: &[Setup], places: &[Vec<usize>]) -> Result<Option<Box<dyn Batch>>, LawError> {
+        let (mut laws, mut flags) = (Vec::with_capacity(setups.len()), [0, 0]);
+        for (setup, places) in setups.iter().zip(places) {
+            let meta = setup.law.meta;
+            let entry = all::<Kernels<L>>()
+                .iter()
+                .find(|e| (e.meta.kind, e.meta.keyword) == (meta.kind, meta.keyword));
+            let Some(prepare) = entry.and_then(|e| e.make(setup)) else { return Ok(None) };
+            laws.push(prepare(setup, places)?);
+            match setup.law.liggghts.marks[0] {
+                Mark::Set => flags[0] |= 1 << meta.kind as i32,
+                Mark::Clear => flags[1] |= 1 << meta.kind as i32,
+                Mark::Leave => {}
+            }
         }
-        let row = setups.iter().zip(offsets).map(|(s, at)| at + s.meta.slots.len()).max().unwrap_or(0);
+        let row = places.iter().flatten().map(|at| at + 1).max().unwrap_or(0);
         Ok(Some(Box::new(Pass {
-            links,
+            laws,
+            flags,
             types: setups.first().map_or(0, |s| s.values.types),
             row,
             list: List::default(),
@@ -141,12 +145,12 @@ impl<L: Unit + 'static> Pass<L> {
         match alike {
             Some((size, kind)) => {
                 let pair = kind * self.types + kind;
-                self.links.iter_mut().for_each(|l| l.kernel.fit_all(pair, &size));
+                self.laws.iter_mut().for_each(|l| l.fit_all(pair, &size));
             }
             None => {
                 self.fitted.resize(self.list.pairs.len(), NONE);
                 self.fits = 0;
-                self.links.iter_mut().for_each(|l| l.kernel.fit_none());
+                self.laws.iter_mut().for_each(|l| l.fit_none());
             }
         }
     }
@@ -175,18 +179,12 @@ impl<L: Unit + 'static> Pass<L> {
             self.fit(p)?;
         }
         let call = Call { dt: a.dt, step: a.step, update: a.update, ..Call::default() };
-        let mut marks = Marks::default();
-        for (k, link) in self.links.iter().enumerate() {
-            let bit = 1 << link.meta.kind as i32;
-            match link.kernel.touch(&mut self.chunk, &call, k == 0) {
-                Mark::Set => marks.set |= bit,
-                Mark::Clear => marks.clear |= bit,
-                Mark::Leave => {}
-            }
+        for (k, law) in self.laws.iter().enumerate() {
+            law.touch(&mut self.chunk, &call, k == 0);
         }
         self.chunk.hand_out(p, a.forced);
         if !a.flags.is_null() {
-            self.chunk.mark(marks);
+            self.chunk.mark(self.flags);
         }
         self.contacts += self.chunk.len() as u64;
         self.chunk.clear();
@@ -203,7 +201,7 @@ impl<L: Unit + 'static> Pass<L> {
                 if !size.meff.is_finite() {
                     return Err(Trouble::NonFinite(self.chunk.kinematics(k)));
                 }
-                self.links.iter_mut().for_each(|l| l.kernel.fit(pair, &size));
+                self.laws.iter_mut().for_each(|l| l.fit(pair, &size));
                 self.fitted[slot] = self.fits;
                 self.fits += 1;
             }
@@ -249,7 +247,7 @@ impl<L: Unit + 'static> Batch for Pass<L> {
     }
 
     fn bytes(&self) -> usize {
-        let kernels: usize = self.links.iter().map(|l| l.kernel.bytes()).sum();
+        let kernels: usize = self.laws.iter().map(|l| l.bytes()).sum();
         kernels + 4 * self.fitted.capacity() + self.list.bytes() + self.near.bytes() + self.seen.bytes()
     }
 }

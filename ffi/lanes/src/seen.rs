@@ -75,7 +75,15 @@ impl Seen {
 /// The size and atom type that all particles have.
 fn alike(p: &Particles<'_>) -> Option<(Size, usize)> {
     let (r, m, t) = (*p.radius.first()?, *p.mass.first()?, *p.kind.first()?);
-    let size = Size { radi: r, radj: r, massi: m, massj: m, meff: m * m / (m + m), is_wall: false };
+    let size = Size {
+        radi: r,
+        radj: r,
+        massi: m,
+        massj: m,
+        frozen: [false; 2],
+        meff: m * m / (m + m),
+        is_wall: false,
+    };
     let kind = usize::try_from(t - 1).ok()?;
     (size.meff.is_finite() && are_all(p, &size, kind)).then_some((size, kind))
 }
@@ -124,7 +132,6 @@ pub(crate) fn size(p: &Particles<'_>, i: usize, j: usize) -> Size {
         (true, false) => mj,
         (false, false) => mi * mj / (mi + mj),
     };
-    let heavy = |k: usize, m: f64| if held(k) { f64::INFINITY } else { m };
-    let (massi, massj) = (heavy(i, mi), heavy(j, mj));
-    Size { radi: p.radius[i], radj: p.radius[j], massi, massj, meff, is_wall: false }
+    let frozen = [held(i), held(j)];
+    Size { radi: p.radius[i], radj: p.radius[j], massi: mi, massj: mj, frozen, meff, is_wall: false }
 }

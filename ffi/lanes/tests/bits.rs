@@ -6,7 +6,7 @@ mod recipe;
 #[path = "bits/scene.rs"]
 mod scene;
 
-use granlaw::chain::Chain;
+use granlaw::chain::{packed, Chain};
 use granlaw_lanes::{batch, fitting, Arrays, NonFinite, Trouble, Width};
 use recipe::{chain_of, chains, for_all, Case, Draw, Recipe, Switches};
 use scene::Scene;
@@ -26,27 +26,26 @@ const CHANGES: [fn(&mut Scene, &mut Draw<'_>); 6] = [
     |s, _| s.mask.iter_mut().step_by(3).for_each(|m| *m ^= 2),
 ];
 
-fn offsets(r: &Recipe) -> Vec<usize> {
-    // A fix of another origin may own the first slot of a row.
-    let mut at = 1;
-    let mut place = |s: &granlaw::law::Setup| {
-        let begin = at;
-        at += s.meta.slots.len();
-        begin
-    };
-    r.setups.iter().map(&mut place).collect()
+/// A fix of another origin may own the first slot of a row.
+fn places(r: &Recipe) -> Vec<Vec<usize>> {
+    packed(&r.setups).into_iter().map(|own| own.into_iter().map(|at| at + 1).collect()).collect()
+}
+
+/// The same from the end of the row to its beginning, so that no two slots lie behind each other.
+fn backwards(r: &Recipe) -> Vec<Vec<usize>> {
+    places(r).into_iter().map(|own| own.into_iter().map(|at| r.slots() + 1 - at).collect()).collect()
 }
 
 /// Several passes with changes between them; `bend` may spoil what the pass left.
 fn same(r: &Recipe, d: &mut Draw<'_>, bend: Change) -> Outcome {
-    let offsets = offsets(r);
+    let places = if d.flip() { places(r) } else { backwards(r) };
     let mut first = Scene::draw(r.slots() + 2, d);
     if d.flip() {
         first.crowd();
     }
     for width in WIDTHS {
-        let mut one = Chain::new(&r.setups, &offsets).unwrap();
-        let mut all = batch(&r.setups, &offsets, width).unwrap().expect("all these laws have lanes");
+        let mut one = Chain::new(&r.setups, &places).unwrap();
+        let mut all = batch(&r.setups, &places, width).unwrap().expect("all these laws have lanes");
         let (mut a, mut b) = (first.clone(), first.clone());
         let numbers: Vec<f64> = (0..64).map(|k| (0.37 * f64::from(k) + 0.11).fract()).collect();
         for (k, change) in CHANGES.iter().enumerate() {
@@ -84,8 +83,8 @@ fn fall(r: &Recipe, d: &mut Draw<'_>, width: Width) -> Result<[usize; 2], String
     let mut a = Scene::draw(r.slots() + 2, d);
     // A selection reaches as far as particles shake in some ten passes.
     a.skin = 8e-3;
-    let mut one = Chain::new(&r.setups, &offsets(r)).unwrap();
-    let mut all = batch(&r.setups, &offsets(r), width).unwrap().expect("all these laws have lanes");
+    let mut one = Chain::new(&r.setups, &places(r)).unwrap();
+    let mut all = batch(&r.setups, &places(r), width).unwrap().expect("all these laws have lanes");
     let mut b = a.clone();
     let [mut parts, mut begun] = [0; 2];
     for k in 0..120 {
@@ -137,7 +136,7 @@ fn lists_grow_and_shrink_between_many_particles_and_few() {
     let touched = std::sync::atomic::AtomicUsize::new(0);
     for_all(&chain_of(&["hooke/hysteresis", "history"]), Switches::Any, 24, None, |r, _, d| {
         let (mut one, mut all) =
-            (Chain::new(&r.setups, &offsets(r)).unwrap(), fitting(&r.setups, &offsets(r)).unwrap().unwrap());
+            (Chain::new(&r.setups, &places(r)).unwrap(), fitting(&r.setups, &places(r)).unwrap().unwrap());
         let mut scene = Scene::draw(r.slots() + 2, d);
         scene.crowd();
         for (k, n) in [36, 6, 6, 36, 8, 9, 2].into_iter().enumerate() {
@@ -181,7 +180,7 @@ fn a_contact_that_is_not_finite_is_named() {
             let mut scene = Scene::draw(r.slots() + 2, d);
             let (i, j) = scene.first_touching();
             scene.v[j][0] = f64::NAN;
-            let mut all = batch(&r.setups, &offsets(r), width).unwrap().unwrap();
+            let mut all = batch(&r.setups, &places(r), width).unwrap().unwrap();
             // SAFETY: the scene's own arrays.
             let got = unsafe { all.pass(&scene.arrays(true)) };
             let Err(Trouble::NonFinite(NonFinite { i: a, j: b, vn, .. })) = got else {
@@ -208,7 +207,7 @@ fn arrays_that_do_not_fit_together_are_refused() {
         let check = |r: &Recipe, _: &Case, d: &mut Draw<'_>| {
             let mut scene = Scene::draw(r.slots() + 2, d);
             spoil(&mut scene);
-            let mut all = batch(&r.setups, &offsets(r), Width::One).unwrap().unwrap();
+            let mut all = batch(&r.setups, &places(r), Width::One).unwrap().unwrap();
             // SAFETY: the scene's own arrays; what was spoilt is to be found before it is used.
             let first = unsafe { all.pass(&scene.arrays(true)) };
             // What was refused is not used later.
@@ -230,7 +229,7 @@ fn arrays_that_do_not_fit_together_are_refused() {
 fn a_list_of_more_particles_than_there_are_is_refused() {
     let check = |r: &Recipe, _: &Case, d: &mut Draw<'_>| {
         let mut scene = Scene::draw(r.slots() + 2, d);
-        let mut all = batch(&r.setups, &offsets(r), Width::One).unwrap().unwrap();
+        let mut all = batch(&r.setups, &places(r), Width::One).unwrap().unwrap();
         // SAFETY: the scene's own arrays.
         unsafe { all.pass(&scene.arrays(true)) }.map_err(|e| format!("{e:?}"))?;
         let fewer = Arrays { all: scene.x.len() - 1, ..scene.arrays(false) };

@@ -21,6 +21,7 @@
 #include "property_registry.h"
 #include "settings.h"
 #include "update.h"
+#include "creators.hpp"
 #include "mirror.hpp"
 #include "roll.hpp"
 #include "wall.hpp"
@@ -44,15 +45,14 @@ inline double mass(LAMMPS *lmp, PairGran *pair, int i) {
   return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
 }
 
-// What a deck gives single atoms, for the laws of a chain.
+// What a deck keeps for single atoms, for the laws of a chain to read or to add to.
 class Given {
  public:
-  explicit Given(LAMMPS *lmp) : lmp_(lmp), fixes_() {}
+  explicit Given(LAMMPS *lmp) : lmp_(lmp), fixes_(), outputs_() {}
 
   void look_for(const granlaw_law &d) {
-    for (size_t k = 0; k < d.n_atoms; k++)
-      fixes_[d.atoms[k].place] = static_cast<FixPropertyAtom *>(
-          lmp_->modify->find_fix_property(d.atoms[k].name, "property/atom", "scalar", 0, 0, d.own_keyword, false));
+    for (size_t k = 0; k < d.n_atoms; k++) fixes_[d.atoms[k].place] = find(d, d.atoms[k].name);
+    for (size_t k = 0; k < d.n_outputs; k++) outputs_[d.outputs[k].place] = find(d, d.outputs[k].name);
   }
   bool has(size_t place) const { return fixes_[place] != nullptr; }
   // Ghosts are new after each build of neighbour lists.
@@ -62,18 +62,25 @@ class Given {
   }
   void fill(granlaw_pass &pass) const {
     for (size_t k = 0; k < GRANLAW_ATOM_PROPS; k++) pass.given[k] = fixes_[k] ? fixes_[k]->vector_atom : nullptr;
+    for (size_t k = 0; k < GRANLAW_ATOM_OUTPUTS; k++) pass.outputs[k] = outputs_[k] ? outputs_[k]->vector_atom : nullptr;
   }
 
  private:
+  FixPropertyAtom *find(const granlaw_law &d, const char *name) const {
+    return static_cast<FixPropertyAtom *>(
+        lmp_->modify->find_fix_property(name, "property/atom", "scalar", 0, 0, d.own_keyword, false));
+  }
+
   LAMMPS *lmp_;
   FixPropertyAtom *fixes_[GRANLAW_ATOM_PROPS];
+  FixPropertyAtom *outputs_[GRANLAW_ATOM_OUTPUTS];
 };
 
 // What holds for the contacts of a step; `pair` is NULL for a wall.
 inline granlaw_pass pass_of(LAMMPS *lmp, PairGran *pair, const Given &given) {
   const LAMMPS_NS::Atom *atom = lmp->atom;
   granlaw_pass pass = {lmp->update->dt, static_cast<int64_t>(lmp->update->ntimestep), atom->x ? atom->x[0] : nullptr,
-                       atom->tag, atom->mask, pair ? pair->freeze_group_bit() : 0, atom->nlocal, {}};
+                       atom->tag, atom->mask, pair ? pair->freeze_group_bit() : 0, atom->nlocal, {}, {}};
   given.fill(pass);
   return pass;
 }
@@ -92,16 +99,21 @@ class Law {
  public:
   Law(LAMMPS *lmp, IContactHistorySetup *history, size_t index, bool taken_over)
       : lmp_(lmp), index_(index), taken_over_(taken_over), d_(*granlaw_law_at(index)),
-        on_(new bool[d_.n_settings + 1]()), options_(d_.n_settings, -1), values_(d_.n_props), offset_(0),
-        waiting_(nullptr) {
-    // A stock law's history lies where LIGGGHTS has it, for the sake of restart files. Ours may hang on settings.
-    if (d_.stock_id >= 0) add_slots(history);
-    else waiting_ = history;
+        on_(new bool[d_.n_settings + 1]()), options_(d_.n_settings, -1), values_(d_.n_props), places_(d_.n_slots, -1),
+        history_(history) {
+    // A stock law's history lies where LIGGGHTS has it, for the sake of restart files: what hangs on settings comes behind
+    // what all laws always keep. A law of our own keeps its slots together.
+    if (d_.stock_id >= 0) add_slots(true);
   }
 
   const granlaw_law &descriptor() const { return d_; }
   bool taken_over() const { return taken_over_; }
-  int offset() const { return offset_; }
+  // Where its history begins.
+  int offset() const {
+    for (int32_t place : places_)
+      if (place >= 0) return place;
+    return 0;
+  }
   const char *name() const { return taken_over_ ? d_.keyword : d_.own_keyword; }
   const std::vector<int32_t> &options() const { return options_; }
   const std::vector<std::vector<double> > &values() const { return values_; }
@@ -117,8 +129,7 @@ class Law {
 
   void postSettings() {
     settle();
-    if (waiting_) add_slots(waiting_);
-    waiting_ = nullptr;
+    add_slots(false);
   }
 
   void settle() {
@@ -154,17 +165,15 @@ class Law {
   }
 
   granlaw_choice choice() const {
-    return granlaw_choice{index_, taken_over_, options_.data(), pointers_.data(), static_cast<size_t>(offset_)};
+    return granlaw_choice{index_, taken_over_, options_.data(), pointers_.data(), 0, places_.data()};
   }
 
  private:
-  void add_slots(IContactHistorySetup *history) {
-    bool first = true;
+  void add_slots(bool before_settings) {
     for (size_t k = 0; k < d_.n_slots; k++) {
+      if (places_[k] >= 0 || (before_settings && !d_.slots[k].always)) continue;
       if (!granlaw_needs_slot(index_, taken_over_, options_.data(), k)) continue;
-      const int at = history->add_history_value(d_.slots[k].name, d_.slots[k].newton);
-      if (first) offset_ = at;
-      first = false;
+      places_[k] = history_->add_history_value(d_.slots[k].name, d_.slots[k].newton);
     }
   }
   bool is_switch(size_t k) const {
@@ -174,30 +183,9 @@ class Law {
   bool offered(size_t k) const { return !taken_over_ || d_.settings[k].support != GRANLAW_SUPPORT_OWN_ONLY; }
 
   // A property that LIGGGHTS knows is read by LIGGGHTS's own creator, so that its checks and messages hold.
-  struct Known {
-    const char *name;
-    ScalarPropertyCreator scalar;
-    VectorPropertyCreator vector;
-    MatrixPropertyCreator matrix;
-  };
-  static const Known *known(const char *name) {
-    using namespace MODEL_PARAMS;
-    static const Known all[] = {
-        {"youngsModulus", nullptr, &createYoungsModulus, nullptr},
-        {"poissonsRatio", nullptr, &createPoissonsRatio, nullptr},
-        {"characteristicVelocity", &createCharacteristicVelocity, nullptr, nullptr},
-        {"coefficientRestitution", nullptr, nullptr, &createCoeffRest},
-        {"coefficientFriction", nullptr, nullptr, &createCoeffFrict},
-        {"coefficientRollingFriction", nullptr, nullptr, &createCoeffRollFrict},
-        {"coefficientMaxElasticStiffness", nullptr, nullptr, &createCoeffMaxElasticStiffness},
-        {"coefficientAdhesionStiffness", nullptr, nullptr, &createCoeffAdhesionStiffness},
-        {"coefficientPlasticityDepth", nullptr, nullptr, &createCoeffPlasticityDepth},
-        {"FluidViscosity", nullptr, nullptr, &createCoeffMu},
-        {"MaximumRestitution", nullptr, nullptr, &createCoeffRestMax},
-        {"CriticalStokes", nullptr, nullptr, &createCoeffStc},
-    };
-    for (const Known &k : all)
-      if (!strcmp(k.name, name)) return &k;
+  static const Creator *known(const char *name) {
+    for (const Creator &c : creators())
+      if (!strcmp(c.name, name)) return &c;
     return nullptr;
   }
 
@@ -212,7 +200,7 @@ class Law {
     const int n = registry.max_type();
     const std::string caller = std::string("model ") + name();
     const std::string key = std::string("granlaw:") + p.name;
-    const Known *k = known(p.name);
+    const Creator *k = known(p.name);
     if (!k && !given(p, n, caller.c_str())) return;
     if (p.shape == GRANLAW_SCALAR) {
       if (k) registry.registerProperty(key, k->scalar);
@@ -240,8 +228,8 @@ class Law {
   std::vector<int32_t> options_;
   std::vector<std::vector<double> > values_;
   std::vector<const double *> pointers_;
-  int offset_;
-  IContactHistorySetup *waiting_;  // whom to ask for history once the settings are known
+  std::vector<int32_t> places_;  // of the slots in a row of history, -1 where there is none
+  IContactHistorySetup *history_;
 };
 
 // Rust laws that follow each other in a chain, run by one call.

@@ -40,11 +40,11 @@ pub unsafe extern "C" fn granlaw_batch_new(
         let lanes = unsafe { CStr::from_ptr(lanes) }.to_string_lossy();
         let width = Width::named(&lanes).map_err(Failure::refused)?;
         // SAFETY: as above.
-        let (setups, offsets) = unsafe { setups(setup) }?;
-        let laws = setups.iter().map(|s| s.meta).collect();
+        let (setups, places) = unsafe { setups(setup) }?;
+        let laws = setups.iter().map(|s| s.law.meta).collect();
         let (made, name) = match &*lanes {
-            "" if width != Width::One => (fitting(&setups, &offsets), format!("up to {}", width.name())),
-            _ => (batch(&setups, &offsets, width), width.name().into()),
+            "" if width != Width::One => (fitting(&setups, &places), format!("up to {}", width.name())),
+            _ => (batch(&setups, &places, width), width.name().into()),
         };
         let made = made.map_err(|e| Failure::refused(e.to_string()))?;
         if let Some(batch) = made {

@@ -12,7 +12,7 @@ mod text;
 
 #[cfg(liggghts)]
 #[used]
-static MARKER: &[u8] = b"granlaw-plugin abi=2 liggghts=3.8.0 end";
+static MARKER: &[u8] = b"granlaw-plugin abi=3 liggghts=3.8.0 end";
 #[cfg(not(liggghts))]
 #[used]
-static MARKER: &[u8] = b"granlaw-plugin abi=2 liggghts=none end";
+static MARKER: &[u8] = b"granlaw-plugin abi=3 liggghts=none end";

@@ -1,8 +1,8 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
 use crate::law::{
-    Call, Contact, Gap, Kernel, LawError, Life, Mark, Meta, Reach, Setup, Size, Stage, Swing, Terms,
+    Call, Contact, Effects, Gap, Kernel, LawError, Life, Mark, Meta, Reach, Setup, Size, Stage, Swing, Terms,
+    ATOM_OUTPUTS,
 };
-use crate::laws::find;
 
 mod host;
 
@@ -11,16 +11,42 @@ pub use host::Wall;
 struct Link {
     meta: &'static Meta,
     kernel: Box<dyn Kernel>,
-    slots: std::ops::Range<usize>,
 }
 
-/// What the chain does to LIGGGHTS's contact flags; bit `1 << kind`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Marks {
-    /// Bits to set.
+/// What a chain does besides forces and history.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Done {
+    /// Bits of LIGGGHTS's contact flags to set; `1 << kind`.
     pub set: i32,
     /// Bits to clear.
     pub clear: i32,
+    /// Whether there is a force although surfaces do not overlap.
+    pub acts: bool,
+    /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
+    pub replaces: bool,
+    /// What becomes of the bond of the law that keeps bonds.
+    pub life: Life,
+    /// What is added to i and to j, by [`AtomProp::place`](crate::law::AtomProp::place).
+    pub outputs: [[f64; ATOM_OUTPUTS]; 2],
+}
+
+impl Done {
+    fn add(&mut self, e: &Effects) {
+        for (all, own) in self.outputs.as_flattened_mut().iter_mut().zip(e.outputs.as_flattened()) {
+            *all += own;
+        }
+    }
+}
+
+/// Where the slots of laws lie whose histories follow each other from slot 0.
+pub fn packed(setups: &[Setup]) -> Vec<Vec<usize>> {
+    let mut at = 0;
+    let mut place = |s: &Setup| {
+        let begin = at;
+        at += s.slots().count();
+        (begin..at).collect()
+    };
+    setups.iter().map(&mut place).collect()
 }
 
 /// The bonds that a chain has seen.
@@ -63,19 +89,26 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// Prepare laws; `offsets[k]` is where the history of `setups[k]` begins in a contact's row of history.
+    /// Prepare laws; `places[k]` says where the slots that `setups[k]` calls for lie in a contact's row of history.
     /// The laws run in the order given, which should be that of [`crate::law::Kind::ALL`].
     ///
     /// # Errors
-    /// The first thing that a law refuses.
-    pub fn new(setups: &[Setup], offsets: &[usize]) -> Result<Chain, LawError> {
-        let mut links = Vec::with_capacity(setups.len());
-        for (setup, at) in setups.iter().zip(offsets) {
-            let meta = setup.meta;
-            let kernel = find(meta.kind, meta.keyword).expect("a law of LAWS").prepare(setup)?;
-            links.push(Link { meta, kernel, slots: *at..at + setup.slots().count() });
+    /// The first thing that a law refuses, or a law that reads what none before it hands on.
+    pub fn new(setups: &[Setup], places: &[Vec<usize>]) -> Result<Chain, LawError> {
+        let mut links: Vec<Link> = Vec::with_capacity(setups.len());
+        for (setup, places) in setups.iter().zip(places) {
+            let meta = setup.law.meta;
+            let missing = meta.reads.iter().find(|c| !links.iter().any(|l| l.meta.publishes.contains(c)));
+            if let Some(missing) = missing {
+                let what = format!(
+                    "reads {}, which no law before it in the chain hands on; take a normal law that does",
+                    missing.name()
+                );
+                return Err(LawError::Senseless { law: meta.called(setup.settings.taken_over()), what });
+            }
+            links.push(Link { meta, kernel: setup.law.prepare(setup, places)? });
         }
-        let row = links.iter().map(|l| l.slots.end).max().unwrap_or(0);
+        let row = places.iter().flatten().map(|at| at + 1).max().unwrap_or(0);
         let (types, bonds) = (setups.first().map_or(0, |s| s.values.types), Bonds::default());
         let across = links.iter().any(|l: &Link| l.meta.reach == Reach::Beyond);
         Ok(Chain { links, types, row, across, fitted: None, bonds })
@@ -86,14 +119,7 @@ impl Chain {
     /// # Errors
     /// As [`Chain::new`].
     pub fn packed(setups: &[Setup]) -> Result<Chain, LawError> {
-        let mut at = 0;
-        let mut place = |s: &Setup| {
-            let begin = at;
-            at += s.slots().count();
-            begin
-        };
-        let offsets: Vec<_> = setups.iter().map(&mut place).collect();
-        Chain::new(setups, &offsets)
+        Chain::new(setups, &packed(setups))
     }
 
     /// The laws, in order.
@@ -114,9 +140,9 @@ impl Chain {
     /// The surfaces overlap. `types` are the atom types counted from 0, `h` is the contact's row of history; what
     /// `s` holds already is kept and added to.
     #[inline]
-    pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Marks {
+    pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Done {
         self.fit(types, &x.gap);
-        self.run(&x.gap.call, h, s, |kernel, h, s| kernel.touch(x, h, s))
+        self.run(&x.gap.call, h, s, |kernel, h, s, e| kernel.touch(x, h, s, e))
     }
 
     /// As [`Chain::touch`]; `each` sees what is handed along after every law, told by its place in the chain.
@@ -130,17 +156,17 @@ impl Chain {
     ) {
         self.fit(types, &x.gap);
         for (k, link) in self.links.iter().enumerate() {
-            link.kernel.touch(x, &mut h[link.slots.clone()], s);
+            link.kernel.touch(x, h, s, &mut Effects::default());
             each(k, s);
         }
     }
 
     /// They do not.
-    pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Marks {
+    pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Done {
         if self.across {
             self.fit(types, x);
         }
-        self.run(&x.call, h, s, |kernel, h, s| kernel.apart(x, h, s))
+        self.run(&x.call, h, s, |kernel, h, s, e| kernel.apart(x, h, s, e))
     }
 
     #[inline]
@@ -163,23 +189,30 @@ impl Chain {
         call: &Call,
         h: &mut [f64],
         s: &mut Stage,
-        each: impl Fn(&dyn Kernel, &mut [f64], &mut Stage),
-    ) -> Marks {
-        let mut marks = Marks::default();
+        each: impl Fn(&dyn Kernel, &mut [f64], &mut Stage, &mut Effects),
+    ) -> Done {
+        let mut done = Done::default();
         for link in &self.links {
-            (s.mark, s.life) = (Mark::Leave, Life::None);
-            each(link.kernel.as_ref(), &mut h[link.slots.clone()], s);
+            let mut e = Effects::default();
+            each(link.kernel.as_ref(), h, s, &mut e);
             let bit = 1 << link.meta.kind as i32;
-            match s.mark {
-                Mark::Set => marks.set |= bit,
-                Mark::Clear => marks.clear |= bit,
+            match e.mark {
+                Mark::Set => done.set |= bit,
+                Mark::Clear => done.clear |= bit,
                 Mark::Leave => {}
             }
-            if call.counts && link.meta.bonds.is_some() {
-                self.bonds.count(call, s.life);
+            (done.acts, done.replaces) = (done.acts | e.acts, done.replaces | e.replaces);
+            if !link.meta.outputs.is_empty() {
+                done.add(&e);
+            }
+            if link.meta.bonds.is_some() {
+                done.life = e.life;
+                if call.counts {
+                    self.bonds.count(call, e.life);
+                }
             }
         }
-        marks
+        done
     }
 
     /// The bonds that began, ended and lasted in the evaluations that count.
@@ -187,7 +220,7 @@ impl Chain {
         self.bonds
     }
 
-    /// The ways in which two bodies swing under laws that act whether or not surfaces overlap; see [`crate::law::Law::swings`].
+    /// The ways in which two bodies swing under laws that act whether or not surfaces overlap; see [`crate::law::GapLaw::swings`].
     pub fn swings(&mut self, types: (usize, usize), size: &Size, speed: f64) -> Vec<Swing> {
         self.fit_to(types, *size);
         self.links.iter().flat_map(|l| l.kernel.swings(size, speed)).collect()
@@ -210,7 +243,7 @@ impl Chain {
     ) {
         self.fit(types, &x.gap);
         for (k, link) in self.links.iter().enumerate() {
-            each(k, link.kernel.observe(x, &h[link.slots.clone()]));
+            each(k, link.kernel.observe(x, h));
         }
     }
 }

@@ -1,4 +1,5 @@
 //! What a law sees of a contact, and what it answers. SI units.
+use super::Mark;
 use crate::lane::{cross, dot, zero, Lane};
 use nalgebra::Vector3;
 
@@ -24,8 +25,10 @@ pub struct Body {
     pub tag: i64,
     /// Radius \[m\].
     pub radius: f64,
-    /// Mass \[kg\]; infinite for a particle that is held in place.
+    /// Its own mass \[kg\].
     pub mass: f64,
+    /// Whether it is held in place, so that contacts find it infinitely heavy.
+    pub frozen: bool,
     /// Position \[m\]; of a wall, the contact point.
     pub x: Vector3<f64>,
     /// Velocity \[m/s\].
@@ -39,10 +42,24 @@ pub struct Body {
 /// How many properties of single atoms there are room for.
 pub const ATOM_PROPS: usize = 1;
 
+/// How many numbers laws may add to single atoms.
+pub const ATOM_OUTPUTS: usize = 1;
+
+impl Body {
+    /// The mass that a contact finds \[kg\]: infinite for a particle that is held in place.
+    pub fn felt_mass(&self) -> f64 {
+        if self.frozen {
+            f64::INFINITY
+        } else {
+            self.mass
+        }
+    }
+}
+
 impl Default for Body {
     fn default() -> Body {
         let given = [f64::NEG_INFINITY; ATOM_PROPS];
-        Body { tag: 0, radius: 0.0, mass: 0.0, x: zero(), v: zero(), omega: zero(), given }
+        Body { tag: 0, radius: 0.0, mass: 0.0, frozen: false, x: zero(), v: zero(), omega: zero(), given }
     }
 }
 
@@ -68,8 +85,8 @@ impl Gap {
     pub fn weighed(self) -> Gap {
         let (i, j) = (self.i.mass, self.j.mass);
         let meff = match () {
-            _ if self.call.is_wall || j.is_infinite() => i,
-            _ if i.is_infinite() => j,
+            _ if self.call.is_wall || self.j.frozen => self.i.felt_mass(),
+            _ if self.i.frozen => j,
             _ => i * j / (i + j),
         };
         Gap { meff, ..self }
@@ -79,13 +96,15 @@ impl Gap {
     pub fn size(&self) -> Size {
         let Gap { call, i, j, meff, .. } = self;
         let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
-        Size { radi, radj, massi, massj, meff: *meff, is_wall: call.is_wall }
+        Size { radi, radj, massi, massj, frozen: [i.frozen, j.frozen], meff: *meff, is_wall: call.is_wall }
     }
 }
 
 /// What the surface model makes of two overlapping spheres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<L = f64> {
+    /// Distance of the centres, or of the centre of i from a wall \[m\].
+    pub r: L,
     /// Overlap δ \[m\], not negative.
     pub deltan: L,
     /// Normal relative velocity \[m/s\], negative while approaching.
@@ -106,7 +125,7 @@ impl<L: Lane> Default for Surface<L> {
     #[inline(always)]
     fn default() -> Surface<L> {
         let o = L::splat(0.0);
-        Surface { deltan: o, vn: o, en: zero(), vtr: zero(), roll: zero(), cri: o, crj: o }
+        Surface { r: o, deltan: o, vn: o, en: zero(), vtr: zero(), roll: zero(), cri: o, crj: o }
     }
 }
 
@@ -128,7 +147,24 @@ impl<L: Lane> Surface<L> {
         let (cri, crj) = (radius.0 - half, radius.1 - half);
         let spin = (omega.0 * cri + omega.1 * crj) * rinv;
         let roll = omega.0 - omega.1;
-        Surface { deltan, cri, crj, roll, ..Surface::default() }.seen(delta, rinv, v, &spin)
+        Surface { r, deltan, cri, crj, roll, ..Surface::default() }.seen(delta, rinv, v, &spin)
+    }
+
+    /// A sphere on a wall by the same model. `delta` leads from the wall to i \[m\], `deltan` is the overlap that the wall
+    /// found \[m\], `v` is the velocity of i less that of the wall \[m/s\], `omega` the spin of i \[rad/s\].
+    #[inline(always)]
+    pub fn at_wall(
+        delta: &Vector3<L>,
+        deltan: L,
+        radius: L,
+        v: &Vector3<L>,
+        omega: &Vector3<L>,
+    ) -> Surface<L> {
+        let r = radius - deltan;
+        let rinv = L::splat(1.0) / r;
+        let cri = radius - L::splat(0.5) * deltan;
+        let spin = omega * cri * rinv;
+        Surface { r, deltan: radius - r, cri, roll: spin, ..Surface::default() }.seen(delta, rinv, v, &spin)
     }
 
     /// The motion of surfaces that turn with `spin` \[rad/s\].
@@ -159,14 +195,11 @@ impl Contact {
         Contact { gap, surface }
     }
 
-    /// A sphere on a wall by the same model; `deltan` is the overlap that the wall found \[m\].
+    /// A sphere on a wall, by [`Surface::at_wall`]; `deltan` is the overlap that the wall found \[m\].
     pub fn wall(gap: Gap, deltan: f64) -> Contact {
-        let r = gap.i.radius - deltan;
-        let rinv = 1.0 / r;
-        let cri = gap.i.radius - 0.5 * deltan;
-        let spin = gap.i.omega * cri * rinv;
-        let surface = Surface { deltan: gap.i.radius - r, cri, roll: spin, ..Surface::default() };
-        Contact { gap, surface: surface.seen(&gap.delta, rinv, &(gap.i.v - gap.j.v), &spin) }
+        let (i, j) = (&gap.i, &gap.j);
+        let surface = Surface::at_wall(&gap.delta, deltan, i.radius, &(i.v - j.v), &i.omega);
+        Contact { gap, surface }
     }
 }
 
@@ -177,10 +210,12 @@ pub struct Size {
     pub radi: f64,
     /// Radius of j \[m\]; ignored for a wall.
     pub radj: f64,
-    /// Mass of i \[kg\]; infinite for a particle that is held in place.
+    /// Own mass of i \[kg\].
     pub massi: f64,
-    /// Mass of j \[kg\]; ignored for a wall.
+    /// Own mass of j \[kg\]; ignored for a wall.
     pub massj: f64,
+    /// Whether i and j are held in place.
+    pub frozen: [bool; 2],
     /// Effective mass m* \[kg\].
     pub meff: f64,
     /// Whether j is a wall.
@@ -199,9 +234,15 @@ impl Size {
 
     /// How easily i and j turn \[1/(kg m²)\]: one over 2/5 m R² of a solid sphere; 0 for a wall and for what is held.
     pub fn mobilities(&self) -> (f64, f64) {
-        let of = |mass: f64, radius: f64| 1.0 / (0.4 * mass * radius * radius);
-        let j = if self.is_wall { 0.0 } else { of(self.massj, self.radj) };
-        (of(self.massi, self.radi), j)
+        let of = |held: bool, mass: f64, radius: f64| {
+            if held {
+                0.0
+            } else {
+                1.0 / (0.4 * mass * radius * radius)
+            }
+        };
+        let [i, j] = self.frozen;
+        (of(i, self.massi, self.radi), of(j || self.is_wall, self.massj, self.radj))
     }
 }
 
@@ -216,18 +257,6 @@ pub struct Swing {
     pub stiffness: f64,
     /// The mass that it moves \[kg\], or the inertia \[kg m²\].
     pub mass: f64,
-}
-
-/// What a law does to the flag by which LIGGGHTS keeps a pair's history across a neighbour rebuild.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Mark {
-    /// Sets it: the history is to be kept.
-    Set,
-    /// Clears it.
-    Clear,
-    /// Leaves it as it is.
-    #[default]
-    Leave,
 }
 
 /// What becomes of a bond that a law keeps between two bodies.
@@ -257,20 +286,16 @@ pub struct Stage<L = f64> {
     pub gamman: L,
     /// Tangential damping γt \[N s/m\].
     pub gammat: L,
+    /// See [`Channel::Kc`](super::Channel::Kc).
+    pub kc: L,
+    /// See [`Channel::Fo`](super::Channel::Fo).
+    pub fo: L,
     /// Force on i so far \[N\]; j gets the opposite.
     pub force: Vector3<L>,
     /// Torque on i so far \[N m\].
     pub torque_i: Vector3<L>,
     /// Torque on j so far \[N m\].
     pub torque_j: Vector3<L>,
-    /// What the law that ran last does to the contact flag.
-    pub mark: Mark,
-    /// What becomes of the bond of the law that ran last.
-    pub life: Life,
-    /// Whether there is a force although surfaces do not overlap; set by [`Stage::replace`].
-    pub acts: bool,
-    /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
-    pub replaces: bool,
 }
 
 impl<L: Lane> Default for Stage<L> {
@@ -278,16 +303,36 @@ impl<L: Lane> Default for Stage<L> {
     fn default() -> Stage<L> {
         let o = L::splat(0.0);
         let (force, torque_i, torque_j) = (zero(), zero(), zero());
-        let (mark, life, acts, replaces) = (Mark::Leave, Life::None, false, false);
-        let (fn_, kn, kt, gamman, gammat) = (o, o, o, o, o);
-        Stage { fn_, kn, kt, gamman, gammat, force, torque_i, torque_j, mark, life, acts, replaces }
+        let (fn_, kn, kt, gamman, gammat, kc, fo) = (o, o, o, o, o, o, o);
+        Stage { fn_, kn, kt, gamman, gammat, kc, fo, force, torque_i, torque_j }
     }
 }
 
-impl<L: Lane> Stage<L> {
+/// What a law does besides forces and history.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effects {
+    /// What it does to the contact flag.
+    pub mark: Mark,
+    /// What becomes of its bond.
+    pub life: Life,
+    /// Whether there is a force although surfaces do not overlap.
+    pub acts: bool,
+    /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
+    pub replaces: bool,
+    /// What is added to i and to j, by [`AtomProp::place`](super::AtomProp::place).
+    pub outputs: [[f64; ATOM_OUTPUTS]; 2],
+}
+
+impl Effects {
     /// Force on i and torques on both in place of whatever the laws before gave; the laws that follow add to them.
-    pub fn replace(&mut self, force: Vector3<L>, torque_i: Vector3<L>, torque_j: Vector3<L>) {
-        (self.force, self.torque_i, self.torque_j) = (force, torque_i, torque_j);
+    pub fn replace(
+        &mut self,
+        s: &mut Stage,
+        force: Vector3<f64>,
+        torque_i: Vector3<f64>,
+        torque_j: Vector3<f64>,
+    ) {
+        (s.force, s.torque_i, s.torque_j) = (force, torque_i, torque_j);
         (self.acts, self.replaces) = (true, true);
     }
 }

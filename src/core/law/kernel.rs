@@ -1,27 +1,56 @@
-//! A law with its types erased, ready to run for every pair of atom types.
-use super::{Contact, Gap, LaneLaw, Law, LawError, Meta, Reach, Setup, Size, Stage, Swing, Terms};
+//! A law with its types erased, prepared for all pairs of atom types.
+use super::{Contact, Effects, Gap, GapLaw, Law, LawError, Reach, Setup, Size, Stage, Swing, Terms};
+use crate::lane::{Lane, Lanes};
 use bytemuck::Pod;
-use std::fmt::Debug;
+use std::ops::Range;
 
-/// What the chain holds of a law: prepared for all pairs of atom types, histories as plain numbers.
+/// What the chain holds of a law. `row` is a contact's whole row of history; the kernel knows its places in it.
 pub trait Kernel: Send {
     /// Fit to two sizes of a pair of atom types (`type_i * types + type_j`, counted from 0), for all calls until the next fit.
     fn fit(&mut self, pair: usize, size: &Size);
     /// The surfaces overlap.
-    fn touch(&self, x: &Contact, h: &mut [f64], s: &mut Stage);
+    fn touch(&self, x: &Contact, row: &mut [f64], s: &mut Stage, e: &mut Effects);
     /// They do not. Only a law with [`Reach::Beyond`] needs a fit for this.
-    fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage);
+    fn apart(&self, x: &Gap, row: &mut [f64], s: &mut Stage, e: &mut Effects);
     /// See [`Law::observe`].
-    fn observe(&self, x: &Contact, h: &[f64]) -> Terms;
-    /// See [`Law::swings`]; `size` is that of the fit.
+    fn observe(&self, x: &Contact, row: &[f64]) -> Terms;
+    /// See [`GapLaw::swings`]; `size` is that of the fit.
     fn swings(&self, size: &Size, speed: f64) -> Vec<Swing>;
-    /// The largest [`Law::reach`] of all type pairs \[m\].
+    /// The largest [`GapLaw::reach`] of all type pairs \[m\].
     fn reach(&self, is_wall: bool) -> f64;
     /// See [`Law::remarks`]; each once.
     fn remarks(&self) -> &[String];
 }
 
-/// How a law sees its part of a row of history.
+/// The history of a law over lanes: `[f64; N]`.
+pub trait Slots: Lanes<Of<f64> = Self> + Send {
+    /// N.
+    const LEN: usize;
+    /// All zero.
+    fn zero<L: Lane>() -> Self::Of<L>;
+    /// The lanes, slot by slot.
+    fn lanes<L: Lane>(h: &Self::Of<L>) -> &[L];
+    /// The same for writing.
+    fn lanes_mut<L: Lane>(h: &mut Self::Of<L>) -> &mut [L];
+}
+
+impl<const N: usize> Slots for [f64; N] {
+    const LEN: usize = N;
+    #[inline(always)]
+    fn zero<L: Lane>() -> [L; N] {
+        [L::splat(0.0); N]
+    }
+    #[inline(always)]
+    fn lanes<L: Lane>(h: &[L; N]) -> &[L] {
+        h
+    }
+    #[inline(always)]
+    fn lanes_mut<L: Lane>(h: &mut [L; N]) -> &mut [L] {
+        h
+    }
+}
+
+/// How a law that acts across a gap sees its part of a row of history.
 pub trait Memory {
     /// How many numbers it holds, if that is the same under all settings.
     const SLOTS: Option<usize>;
@@ -29,8 +58,6 @@ pub trait Memory {
     fn view(h: &mut [f64]) -> &mut Self;
     /// The same without writing.
     fn see(h: &[f64]) -> &Self;
-    /// All numbers become 0.
-    fn clear(&mut self);
 }
 
 impl<H: Pod> Memory for H {
@@ -40,9 +67,6 @@ impl<H: Pod> Memory for H {
     }
     fn see(h: &[f64]) -> &H {
         bytemuck::from_bytes(bytemuck::cast_slice(h))
-    }
-    fn clear(&mut self) {
-        *self = H::zeroed();
     }
 }
 
@@ -54,115 +78,146 @@ impl Memory for [f64] {
     fn see(h: &[f64]) -> &[f64] {
         h
     }
-    fn clear(&mut self) {
-        self.fill(0.0);
-    }
 }
 
-struct Prepared<L: Law> {
-    coeffs: Vec<L::Coeffs>,
+/// What is the same for every prepared law.
+struct Prepared<C, P> {
+    coeffs: Vec<C>,
     remarks: Vec<String>,
-    fit: Option<L::Fit>,
+    params: Option<P>,
 }
 
-impl<L: Law> Prepared<L> {
+impl<C, P> Prepared<C, P> {
+    fn new(coeffs: Vec<C>, mut remarks: Vec<String>) -> Prepared<C, P> {
+        remarks.sort();
+        remarks.dedup();
+        Prepared { coeffs, remarks, params: None }
+    }
+
     #[inline]
-    fn fitted(&self) -> &L::Fit {
-        self.fit.as_ref().expect("the chain fits before it calls")
+    fn params(&self) -> &P {
+        self.params.as_ref().expect("the chain fits before it calls")
     }
 }
 
-impl<L: Law> Kernel for Prepared<L> {
-    fn fit(&mut self, pair: usize, size: &Size) {
-        self.fit = Some(L::fit(&self.coeffs[pair], size));
-    }
-    fn touch(&self, x: &Contact, h: &mut [f64], s: &mut Stage) {
-        L::touch(self.fitted(), x, L::History::view(h), s);
-    }
-    fn apart(&self, x: &Gap, h: &mut [f64], s: &mut Stage) {
-        let h = L::History::view(h);
-        match L::META.reach {
-            Reach::Overlap => L::apart(h, s),
-            Reach::Beyond => L::across(self.fitted(), x, h, s),
-        }
-    }
-    fn observe(&self, x: &Contact, h: &[f64]) -> Terms {
-        L::observe(self.fitted(), x, L::History::see(h))
-    }
-    fn swings(&self, size: &Size, speed: f64) -> Vec<Swing> {
-        L::swings(self.fitted(), size, speed)
-    }
-    fn reach(&self, is_wall: bool) -> f64 {
-        self.coeffs.iter().map(|c| L::reach(c, is_wall)).fold(0.0, f64::max)
-    }
-    fn remarks(&self) -> &[String] {
-        &self.remarks
-    }
+/// A [`Law`], one contact at a time.
+struct Single<W: Law> {
+    of: Prepared<W::Coeffs, W::Params>,
+    /// Where each slot lies in a row.
+    places: Vec<Option<usize>>,
+    /// Where the first one lies, if all are there and lie behind each other.
+    begin: Option<usize>,
 }
 
-/// What is made of every law that has lanes: kernels of a certain width, tests.
-pub trait ForLanes: Copy + Debug + 'static {
-    /// What comes out.
-    type Made: 'static;
-    /// Make it for one law.
-    fn make<W: LaneLaw>() -> Self::Made;
-}
-
-/// Where nothing is made of lanes: a law as it stands.
-#[derive(Clone, Copy, Debug)]
-pub struct Alone;
-
-impl ForLanes for Alone {
-    type Made = ();
-    fn make<W: LaneLaw>() {}
-}
-
-/// A row of the registry.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry<U: ForLanes = Alone> {
-    /// What the law says of itself.
-    pub meta: &'static Meta,
-    prepare: fn(&Setup) -> Result<Box<dyn Kernel>, LawError>,
-    lanes: Option<fn() -> U::Made>,
-}
-
-impl<U: ForLanes> Entry<U> {
-    /// The row of a law whose hot function takes one contact at a time.
-    pub const fn scalar<L: Law>() -> Entry<U> {
-        match <L::History as Memory>::SLOTS {
-            Some(n) => assert!(n == L::META.slots.len(), "History and slots differ in length"),
+impl<W: Law> Single<W> {
+    #[inline]
+    fn history(&self, row: &[f64]) -> W::History {
+        let mut h = W::History::zero::<f64>();
+        let own = W::History::lanes_mut::<f64>(&mut h);
+        match self.begin {
+            Some(begin) => own.copy_from_slice(&row[begin..begin + W::History::LEN]),
             None => {
-                assert!(L::META.stock_id.is_none(), "a stock law's history is the same under all settings");
+                for (value, at) in own.iter_mut().zip(&self.places) {
+                    *value = at.map_or(0.0, |at| row[at]);
+                }
             }
         }
-        assert!(L::META.id >= 48 && L::META.id < 64, "own numbers are 48 to 63");
-        Entry { meta: &L::META, prepare: prepare::<L>, lanes: None }
+        h
     }
 
-    /// The row of a law whose hot function takes several.
-    pub const fn lanes<W: LaneLaw>() -> Entry<U> {
-        Entry { lanes: Some(U::make::<W>), ..Entry::scalar::<W>() }
-    }
-
-    /// Check the set-up and prepare the law for all pairs of atom types.
-    ///
-    /// # Errors
-    /// The first thing that the law refuses.
-    pub fn prepare(&self, setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
-        (self.prepare)(setup)
-    }
-
-    /// What `U` makes of the law; nothing of one without lanes.
-    pub fn make(&self) -> Option<U::Made> {
-        self.lanes.map(|make| make())
+    #[inline]
+    fn keep(&self, h: &W::History, row: &mut [f64]) {
+        let own = W::History::lanes::<f64>(h);
+        match self.begin {
+            Some(begin) => row[begin..begin + W::History::LEN].copy_from_slice(own),
+            None => {
+                let kept = own.iter().zip(&self.places).filter_map(|(value, at)| Some((value, (*at)?)));
+                kept.for_each(|(value, at)| row[at] = *value);
+            }
+        }
     }
 }
 
-fn prepare<L: Law>(setup: &Setup) -> Result<Box<dyn Kernel>, LawError> {
-    let coeffs = setup.coeffs::<L>()?;
-    let n = setup.values.types;
-    let mut remarks: Vec<_> = (0..n * n).flat_map(|p| L::remarks(&setup.pair(p / n, p % n))).collect();
-    remarks.sort();
-    remarks.dedup();
-    Ok(Box::new(Prepared::<L> { coeffs, remarks, fit: None }))
+impl<W: Law> Kernel for Single<W> {
+    fn fit(&mut self, pair: usize, size: &Size) {
+        self.of.params = Some(W::params(&self.of.coeffs[pair], size));
+    }
+    fn touch(&self, x: &Contact, row: &mut [f64], s: &mut Stage, e: &mut Effects) {
+        let mut h = self.history(row);
+        W::touch::<f64>(self.of.params(), &x.gap.call, &x.surface, &mut h, s);
+        self.keep(&h, row);
+        e.mark = W::LIGGGHTS.marks[0];
+    }
+    fn apart(&self, _: &Gap, row: &mut [f64], _: &mut Stage, e: &mut Effects) {
+        self.keep(&W::History::zero::<f64>(), row);
+        e.mark = W::LIGGGHTS.marks[1];
+    }
+    fn observe(&self, x: &Contact, row: &[f64]) -> Terms {
+        W::observe(self.of.params(), x, &self.history(row))
+    }
+    fn swings(&self, _: &Size, _: f64) -> Vec<Swing> {
+        Vec::new()
+    }
+    fn reach(&self, _: bool) -> f64 {
+        0.0
+    }
+    fn remarks(&self) -> &[String] {
+        &self.of.remarks
+    }
+}
+
+/// A [`GapLaw`].
+struct Across<W: GapLaw> {
+    of: Prepared<W::Coeffs, W::Params>,
+    slots: Range<usize>,
+}
+
+impl<W: GapLaw> Kernel for Across<W> {
+    fn fit(&mut self, pair: usize, size: &Size) {
+        self.of.params = Some(W::params(&self.of.coeffs[pair], size));
+    }
+    fn touch(&self, x: &Contact, row: &mut [f64], s: &mut Stage, e: &mut Effects) {
+        self.apart(&x.gap, row, s, e);
+    }
+    fn apart(&self, x: &Gap, row: &mut [f64], s: &mut Stage, e: &mut Effects) {
+        W::act(self.of.params(), x, W::History::view(&mut row[self.slots.clone()]), s, e);
+    }
+    fn observe(&self, x: &Contact, row: &[f64]) -> Terms {
+        W::observe(self.of.params(), &x.gap, W::History::see(&row[self.slots.clone()]))
+    }
+    fn swings(&self, size: &Size, speed: f64) -> Vec<Swing> {
+        W::swings(self.of.params(), size, speed)
+    }
+    fn reach(&self, is_wall: bool) -> f64 {
+        self.of.coeffs.iter().map(|c| W::reach(c, is_wall)).fold(0.0, f64::max)
+    }
+    fn remarks(&self) -> &[String] {
+        &self.of.remarks
+    }
+}
+
+/// A [`Law`] from its set-up and the places of its slots in a row.
+pub(super) fn single<W: Law>(setup: &Setup, places: &[usize]) -> Result<Box<dyn Kernel>, LawError> {
+    let coeffs = setup.mixed(W::coeffs)?;
+    let of = Prepared::new(coeffs, setup.all_remarks(W::remarks));
+    let whole = places.len() == W::History::LEN && follow_each_other(places);
+    let begin = whole.then(|| places.first().copied().unwrap_or(0));
+    Ok(Box::new(Single::<W> { of, places: setup.placed(places), begin }))
+}
+
+/// A [`GapLaw`], whose slots must lie behind each other.
+pub(super) fn across<W: GapLaw>(setup: &Setup, places: &[usize]) -> Result<Box<dyn Kernel>, LawError> {
+    let coeffs = setup.mixed(W::coeffs)?;
+    let begin = places.first().copied().unwrap_or(0);
+    if !follow_each_other(places) {
+        let what = "the slots of its history must lie behind each other in a row".into();
+        return Err(LawError::Senseless { law: W::META.called(false), what });
+    }
+    debug_assert!(W::META.reach == Reach::Beyond);
+    let of = Prepared::new(coeffs, setup.all_remarks(W::remarks));
+    Ok(Box::new(Across::<W> { of, slots: begin..begin + places.len() }))
+}
+
+fn follow_each_other(places: &[usize]) -> bool {
+    places.windows(2).all(|p| p[1] == p[0] + 1)
 }

@@ -69,6 +69,8 @@ impl Unit {
     pub const RAD: Unit = Unit { label: "rad", m2: 0, kg: 0, s: 0 };
     /// Force.
     pub const N: Unit = Unit { label: "N", m2: 2, kg: 1, s: -2 };
+    /// Stiffness.
+    pub const N_PER_M: Unit = Unit { label: "N/m", m2: 0, kg: 1, s: -2 };
     /// Stiffness per area.
     pub const N_PER_M3: Unit = Unit { label: "N/m³", m2: -4, kg: 1, s: -2 };
     /// Stiffness per area of a force that grows as √δ.
@@ -191,17 +193,26 @@ pub struct Prop {
     pub doc: &'static str,
 }
 
-/// How far a setting is ours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Support {
-    /// Does the same under our name and under the stock name.
-    Full,
-    /// Ours alone: not offered where the law has taken over a stock name.
-    OwnOnly,
-    /// Works under our name; the stock law reads it and ignores it, so the taken-over law does too and says so.
-    StockIgnores,
-    /// Known to LIGGGHTS, not done here: refused when it is switched on.
-    Refused,
+impl Prop {
+    /// A property that must always be given; `usual` and `need` may be written out behind it.
+    pub const fn new(
+        name: &'static str,
+        symbol: &'static str,
+        shape: Shape,
+        unit: Unit,
+        range: Range,
+        doc: &'static str,
+    ) -> Prop {
+        Prop { name, symbol, shape, unit, range, usual: (0.0, 1.0), need: Need::Always, doc }
+    }
+    /// The same, asked for only then.
+    pub const fn needed(self, need: Need) -> Prop {
+        Prop { need, ..self }
+    }
+    /// The same with the values that people use.
+    pub const fn usually(self, lo: f64, hi: f64) -> Prop {
+        Prop { usual: (lo, hi), ..self }
+    }
 }
 
 /// A setting: a word in the deck followed by one of its options.
@@ -213,20 +224,18 @@ pub struct Setting {
     pub options: &'static [&'static str],
     /// The option that holds when the deck says nothing; `None` where the deck must choose.
     pub default: Option<&'static str>,
-    /// How far it is ours.
-    pub support: Support,
     /// What it does, or why it is refused.
     pub doc: &'static str,
 }
 
 impl Setting {
     /// A switch that is off unless the deck says otherwise.
-    pub const fn off(name: &'static str, support: Support, doc: &'static str) -> Setting {
-        Setting { name, options: &["off", "on"], default: Some("off"), support, doc }
+    pub const fn off(name: &'static str, doc: &'static str) -> Setting {
+        Setting { name, options: &["off", "on"], default: Some("off"), doc }
     }
     /// A switch that is on unless the deck says otherwise.
-    pub const fn on(name: &'static str, support: Support, doc: &'static str) -> Setting {
-        Setting { name, options: &["off", "on"], default: Some("on"), support, doc }
+    pub const fn on(name: &'static str, doc: &'static str) -> Setting {
+        Setting { name, options: &["off", "on"], default: Some("on"), doc }
     }
     /// The index of an option.
     pub fn index(&self, option: &str) -> Option<usize> {
@@ -267,15 +276,34 @@ impl Slot {
     }
 }
 
-/// A number that a deck may give every atom in `fix property/atom`.
+/// A number per atom, kept by a `fix property/atom` of the deck.
 #[derive(Clone, Copy, Debug)]
 pub struct AtomProp {
     /// The name in `fix property/atom`.
     pub name: &'static str,
-    /// Where it stands in [`Body::given`](super::Body::given).
+    /// Where it stands in [`Body::given`](super::Body::given), or in [`Effects::outputs`](super::Effects::outputs).
     pub place: usize,
     /// What it is.
     pub doc: &'static str,
+}
+
+/// A number that a normal law hands to the laws behind it, beyond the stiffnesses and dampings that all of them hand on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// Adhesion stiffness kc \[N/m\], in [`Stage::kc`](super::Stage::kc).
+    Kc,
+    /// Normal force without adhesion and damping f0 \[N\], in [`Stage::fo`](super::Stage::fo).
+    Fo,
+}
+
+impl Channel {
+    /// The name in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Channel::Kc => "kc",
+            Channel::Fo => "fo",
+        }
+    }
 }
 
 /// How far a law acts.
@@ -319,17 +347,13 @@ pub struct Exception {
     pub why: &'static str,
 }
 
-/// Everything that a law says of itself.
+/// Everything that a law says of itself. How it stands in LIGGGHTS is said apart, in its [`Binding`](super::Binding).
 #[derive(Clone, Copy, Debug)]
 pub struct Meta {
     /// Its kind.
     pub kind: Kind,
-    /// Its name in LIGGGHTS; in a deck our law is `<keyword>/rs`.
+    /// Its name; in a LIGGGHTS deck our law is `<keyword>/rs`.
     pub keyword: &'static str,
-    /// The number under which the plugin registers `<keyword>/rs`: 48 to 63, unique among the laws of a kind.
-    pub id: u8,
-    /// The number of LIGGGHTS's own law of that name, if it has one: below 16.
-    pub stock_id: Option<u8>,
     /// One line for people.
     pub summary: &'static str,
     /// The properties, in the order in which values are handed over.
@@ -338,9 +362,15 @@ pub struct Meta {
     pub settings: &'static [Setting],
     /// What it reads of each atom where the deck gives it.
     pub atoms: &'static [AtomProp],
-    /// The history, in the order in which it lies in memory; slots that the settings do not call for take no room.
+    /// What it adds to each atom in every evaluation.
+    pub outputs: &'static [AtomProp],
+    /// The history, in the order in which the law has it; slots that the settings do not call for take no room.
     pub slots: &'static [Slot],
-    /// Exponent n of F ∝ δⁿ, which LIGGGHTS asks of a normal law; 0 for the others.
+    /// What it hands to the laws behind it.
+    pub publishes: &'static [Channel],
+    /// What a law before it must hand on.
+    pub reads: &'static [Channel],
+    /// Exponent n of F ∝ δⁿ of a normal law; 0 for the others.
     pub stress_strain_exponent: f64,
     /// How far it acts.
     pub reach: Reach,
@@ -348,7 +378,7 @@ pub struct Meta {
     pub anchors: bool,
     /// What it calls the bonds that it keeps, in the plural, if it keeps any that users may count.
     pub bonds: Option<&'static str>,
-    /// Whether it is consistent under LIGGGHTS's coarse-graining; refused with it otherwise, as in LIGGGHTS.
+    /// Whether it gives the same answer for coarse-grained particles.
     pub coarse_graining: bool,
     /// Where it comes from.
     pub references: &'static [&'static str],
@@ -357,6 +387,28 @@ pub struct Meta {
 }
 
 impl Meta {
+    /// A law that asks for nothing and keeps nothing; what is different is written out behind it.
+    pub const fn new(kind: Kind, keyword: &'static str, summary: &'static str) -> Meta {
+        Meta {
+            kind,
+            keyword,
+            summary,
+            props: &[],
+            settings: &[],
+            atoms: &[],
+            outputs: &[],
+            slots: &[],
+            publishes: &[],
+            reads: &[],
+            stress_strain_exponent: 0.0,
+            reach: Reach::Overlap,
+            anchors: false,
+            bonds: None,
+            coarse_graining: false,
+            references: &[],
+            exceptions: &[],
+        }
+    }
     /// The exception to a rule, if there is one.
     pub fn exception(&self, rule: Rule) -> Option<&'static Exception> {
         self.exceptions.iter().find(|e| e.rule == rule)

@@ -1,91 +1,140 @@
 //! The one abstraction: what a contact law is.
 //!
-//! A law describes itself in its [`Meta`], refuses impossible set-ups in [`Law::coeffs`], and is from there on a pure
-//! function of coefficients, contact and history. Read `laws/hooke.rs` next.
+//! A law describes itself in its [`Meta`], refuses impossible set-ups in `coeffs`, and is from there on a pure function
+//! of parameters, contact and history. Most are a [`Law`], written over lanes so that several contacts run at once; one
+//! that acts across a gap is a [`GapLaw`]. Read `laws/hooke.rs` next.
+mod binding;
 mod contact;
+mod entry;
 mod kernel;
 mod meta;
 mod setup;
 
-pub use contact::{Body, Call, Contact, Gap, Life, Mark, Size, Stage, Surface, Swing, Terms, ATOM_PROPS};
-pub use kernel::{Alone, Entry, ForLanes, Kernel, Memory};
+pub use binding::{Binding, Mark, Support};
+pub use contact::{
+    Body, Call, Contact, Effects, Gap, Life, Size, Stage, Surface, Swing, Terms, ATOM_OUTPUTS, ATOM_PROPS,
+};
+pub use entry::{Alone, Entry, ForLanes};
+pub use kernel::{Kernel, Memory, Slots};
 pub use meta::{
-    AtomProp, Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot, Support,
+    AtomProp, Channel, Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot,
     Unit,
 };
 pub use setup::{LawError, Pair, Settings, Setup, Values};
 
-use crate::lane::Lane;
+use crate::lane::{Lane, Lanes};
 
-/// A contact law. Its file holds all of it; a line in `laws::LAWS` makes it known everywhere.
+/// A contact law. Its file holds all of it; a line in `laws::all` makes it known everywhere.
+///
+/// ```
+/// use granlaw::lane::{Lane, Lanes};
+/// use granlaw::law::*;
+///
+/// /// F = k δ, with k from the deck.
+/// struct Spring;
+///
+/// impl Law for Spring {
+///     const META: Meta = Meta {
+///         props: &[Prop::new("kSpring", "k", Shape::PerPair, Unit::N_PER_M, Range::above(0.0), "stiffness")],
+///         ..Meta::new(Kind::Normal, "spring", "a spring of given stiffness")
+///     };
+///     type Coeffs = f64;
+///     type Params = [f64; 1];
+///     type History = [f64; 0];
+///
+///     fn coeffs(p: &Pair<'_>) -> Result<f64, LawError> {
+///         Ok(p.get("kSpring"))
+///     }
+///     fn params(k: &f64, _: &Size) -> [f64; 1] {
+///         [*k]
+///     }
+///     fn touch<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+///         (s.fn_, s.kn) = (*k * x.deltan, *k);
+///         s.force += x.en * s.fn_;
+///     }
+///     fn observe([k]: &[f64; 1], x: &Contact, _: &[f64; 0]) -> Terms {
+///         let delta = x.surface.deltan;
+///         Terms { branch: "spring", stiffness: *k, stored: 0.5 * k * delta * delta, ..Terms::default() }
+///     }
+/// }
+///
+/// static SPRING: Entry = Entry::law::<Spring>();
+/// let values = Values { types: 1, of: vec![vec![1e4]] };
+/// let setup = Setup { law: &SPRING, settings: Settings::new(&SPRING, false), values, nktv2p: 1.0 };
+/// let mut chain = granlaw::chain::Chain::packed(&[setup])?;
+/// let mut stage = Stage::default();
+/// let surface = Surface { deltan: 1e-4, en: nalgebra::Vector3::x(), ..Surface::default() };
+/// chain.touch((0, 0), &Contact { surface, ..Contact::default() }, &mut [], &mut stage);
+/// assert_eq!(stage.force.x, 1.0);
+/// # Ok::<(), LawError>(())
+/// ```
 pub trait Law: 'static {
     /// What the law says of itself.
     const META: Meta;
-    /// Contact history: as many `f64` as `META.slots`, in that order. `[f64]` where settings decide which are kept.
-    type History: Memory + ?Sized;
+    /// How it stands in LIGGGHTS; a law of another crate needs none.
+    const LIGGGHTS: Binding = Binding::NONE;
     /// What a pair of atom types decides.
     type Coeffs: Copy + Send;
     /// What remains once radii and masses are known; reused as long as they stay the same.
-    type Fit: Copy + Send;
+    type Params: Lanes<Of<f64> = Self::Params> + Send;
+    /// Contact history, `[f64; N]`: as many numbers as `META.slots`, in that order. A slot that the settings do not call for
+    /// is zero, and what is written to it is lost.
+    type History: Slots;
 
     /// Mix the properties of a type pair, once per run. Ranges and missing values are already checked.
     ///
     /// # Errors
     /// Combinations that make no sense.
     fn coeffs(pair: &Pair<'_>) -> Result<Self::Coeffs, LawError>;
-    /// How far the law acts \[m\], from centre to centre or from a centre to a wall; 0 only while surfaces overlap.
-    fn reach(_: &Self::Coeffs, _is_wall: bool) -> f64 {
-        0.0
-    }
     /// What the user should know about a type pair that is allowed but asks for trouble.
     fn remarks(_: &Pair<'_>) -> Vec<String> {
         Vec::new()
     }
-    /// Fit the coefficients to two sizes.
-    fn fit(c: &Self::Coeffs, size: &Size) -> Self::Fit;
-    /// The surfaces overlap.
-    fn touch(f: &Self::Fit, x: &Contact, h: &mut Self::History, s: &mut Stage);
-    /// They do not: the contact is forgotten.
-    fn apart(h: &mut Self::History, s: &mut Stage) {
-        h.clear();
-        s.mark = Mark::Clear;
-    }
-    /// In place of [`Law::apart`] for a law with [`Reach::Beyond`], which may still answer with a force.
-    fn across(_: &Self::Fit, _: &Gap, h: &mut Self::History, s: &mut Stage) {
-        Self::apart(h, s);
-    }
-    /// The ways in which two bodies swing under a law that acts whether or not surfaces overlap, each as stiff as it gets;
-    /// they limit the time step. `speed` is how fast the bodies move against each other \[m/s\]. A law that answers to an
-    /// overlap tells its stiffness in [`Law::observe`] instead.
-    fn swings(_: &Self::Fit, _size: &Size, _speed: f64) -> Vec<Swing> {
-        Vec::new()
-    }
-    /// What a study wants to know of the contact, before `touch` is called on it.
-    fn observe(f: &Self::Fit, x: &Contact, h: &Self::History) -> Terms;
-}
-
-/// A law whose hot function runs on several contacts at once. Its [`Law::touch`] is the one-lane instance.
-pub trait LaneLaw: Law {
-    /// [`Law::Fit`], one per lane.
-    type FitOf<L: Lane>: Copy;
-    /// [`Law::History`], one per lane: `[L; slots]`.
-    type HistoryOf<L: Lane>: Copy + AsRef<[L]> + for<'a> TryFrom<&'a [L]>;
-
-    /// Whether the fit changes with the normal velocity, so that it cannot be kept.
-    fn follows_speed(_: &Self::Fit) -> bool {
-        false
-    }
-    /// The fit that holds at a normal velocity \[m/s\].
-    fn fit_at(f: &Self::Fit, vn: f64) -> Self::FitOf<f64>;
-    /// The fits of all lanes side by side. They come from one chain, so their switches are the same.
-    fn side_by_side<L: Lane>(fit: impl Fn(usize) -> Self::FitOf<f64>) -> Self::FitOf<L>;
-
-    /// The hot function: `call` is the same for all lanes.
-    fn touch_lanes<L: Lane>(
-        f: &Self::FitOf<L>,
+    /// The parameters of a contact between two sizes.
+    fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
+    /// The surfaces overlap. The hot function, for as many contacts as the lane is wide; `call` is the same for all.
+    fn touch<L: Lane>(
+        p: &<Self::Params as Lanes>::Of<L>,
         call: &Call,
         x: &Surface<L>,
-        h: &mut Self::HistoryOf<L>,
+        h: &mut <Self::History as Lanes>::Of<L>,
         s: &mut Stage<L>,
     );
+    /// What a study wants to know of the contact, before `touch` is called on it.
+    fn observe(p: &Self::Params, x: &Contact, h: &Self::History) -> Terms;
+}
+
+/// A law that acts across a gap too, one contact at a time.
+pub trait GapLaw: 'static {
+    /// What the law says of itself.
+    const META: Meta;
+    /// How it stands in LIGGGHTS; a law of another crate needs none.
+    const LIGGGHTS: Binding = Binding::NONE;
+    /// What a pair of atom types decides.
+    type Coeffs: Copy + Send;
+    /// What remains once radii and masses are known; reused as long as they stay the same.
+    type Params: Copy + Send;
+    /// Contact history: a plain struct of as many `f64` as `META.slots`, or `[f64]` where settings decide which are kept.
+    type History: Memory + ?Sized;
+
+    /// As [`Law::coeffs`].
+    ///
+    /// # Errors
+    /// Combinations that make no sense.
+    fn coeffs(pair: &Pair<'_>) -> Result<Self::Coeffs, LawError>;
+    /// As [`Law::remarks`].
+    fn remarks(_: &Pair<'_>) -> Vec<String> {
+        Vec::new()
+    }
+    /// How far the law acts \[m\], from centre to centre or from a centre to a wall.
+    fn reach(c: &Self::Coeffs, is_wall: bool) -> f64;
+    /// As [`Law::params`].
+    fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
+    /// Two bodies near each other, whether or not surfaces overlap.
+    fn act(p: &Self::Params, x: &Gap, h: &mut Self::History, s: &mut Stage, e: &mut Effects);
+    /// The ways in which two bodies swing under the law, each as stiff as it gets; they limit the time step. `speed` is how
+    /// fast the bodies move against each other \[m/s\].
+    fn swings(p: &Self::Params, size: &Size, speed: f64) -> Vec<Swing>;
+    /// What a study wants to know of the contact, before `act` is called on it.
+    fn observe(p: &Self::Params, x: &Gap, h: &Self::History) -> Terms;
 }

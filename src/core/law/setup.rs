@@ -1,6 +1,6 @@
 //! Set-up: property values and settings in, coefficients or a refusal out. Nothing is refused later.
-use super::meta::{Meta, Need, Range, Shape, Slot, Support};
-use super::Law;
+use super::meta::{Need, Range, Setting, Shape, Slot};
+use super::{Entry, Support};
 use thiserror::Error;
 
 /// Why a law refused its set-up. Each message says what, which, allowed and what to do.
@@ -95,27 +95,38 @@ pub enum LawError {
 /// The options chosen for one law.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    meta: &'static Meta,
+    law: &'static Entry,
+    /// By the order of [`Entry::settings`].
     picked: Vec<Option<usize>>,
     taken_over: bool,
 }
 
 impl Settings {
     /// Every setting at its default. `taken_over`: the law stands in for LIGGGHTS's own of the same name.
-    pub fn new(meta: &'static Meta, taken_over: bool) -> Settings {
-        let picked = meta.settings.iter().map(|s| s.default.and_then(|d| s.index(d))).collect();
-        Settings { meta, picked, taken_over }
+    pub fn new(law: &'static Entry, taken_over: bool) -> Settings {
+        let picked = law.settings().map(|s| s.default.and_then(|d| s.index(d))).collect();
+        Settings { law, picked, taken_over }
+    }
+
+    /// The name of the law in messages.
+    fn called(&self) -> String {
+        self.law.meta.called(self.taken_over)
+    }
+
+    fn find(&self, name: &str) -> Option<(usize, &'static Setting)> {
+        self.law.settings().enumerate().find(|(_, s)| s.name == name)
     }
 
     /// Choose an option by name.
+    ///
+    /// # Errors
+    /// There is no such setting or option.
     pub fn set(&mut self, name: &str, option: &str) -> Result<(), LawError> {
-        let law = self.meta.called(self.taken_over);
-        let unknown = |what| LawError::Unknown { law, what };
-        let Some(k) = self.meta.settings.iter().position(|s| s.name == name) else {
-            let known: Vec<_> = self.meta.settings.iter().map(|s| s.name).collect();
+        let unknown = |what| LawError::Unknown { law: self.called(), what };
+        let Some((k, setting)) = self.find(name) else {
+            let known: Vec<_> = self.law.settings().map(|s| s.name).collect();
             return Err(unknown(format!("no setting {name}; known: {}", known.join(", "))));
         };
-        let setting = &self.meta.settings[k];
         let Some(index) = setting.index(option) else {
             return Err(unknown(format!(
                 "setting {name} {option}: must be one of {}",
@@ -131,9 +142,8 @@ impl Settings {
     /// # Panics
     /// If the law has no setting of that name or its option was never chosen; both are bugs that set-up rules out.
     pub fn option(&self, name: &str) -> &'static str {
-        let k = self.meta.settings.iter().position(|s| s.name == name).expect("a setting of this law");
-        let s = &self.meta.settings[k];
-        let ignored = self.taken_over && s.support == Support::StockIgnores;
+        let (k, s) = self.find(name).expect("a setting of this law");
+        let ignored = self.taken_over && self.law.support(name) == Support::StockIgnores;
         s.options[if ignored { 0 } else { self.picked[k].expect("checked at set-up") }]
     }
 
@@ -147,9 +157,9 @@ impl Settings {
         self.taken_over
     }
 
-    /// The settings with the options that the deck chose, in the order of [`Meta::settings`].
+    /// The settings with the options that the deck chose, in the order of [`Entry::settings`].
     pub fn chosen(&self) -> impl Iterator<Item = (&'static str, &'static str)> + '_ {
-        self.meta.settings.iter().zip(&self.picked).filter_map(|(s, p)| p.map(|k| (s.name, s.options[k])))
+        self.law.settings().zip(&self.picked).filter_map(|(s, p)| p.map(|k| (s.name, s.options[k])))
     }
 
     /// Whether every setting has an option, and one that the law does.
@@ -157,20 +167,19 @@ impl Settings {
     /// # Errors
     /// The first setting that is refused or was not chosen.
     pub fn check(&self) -> Result<(), LawError> {
-        let law = || self.meta.called(self.taken_over);
-        for (s, p) in self.meta.settings.iter().zip(&self.picked) {
+        for (s, p) in self.law.settings().zip(&self.picked) {
             match p {
                 None => {
                     return Err(LawError::NotChosen {
-                        law: law(),
+                        law: self.called(),
                         setting: s.name,
                         options: s.options.join(", "),
                         doc: s.doc,
                     })
                 }
-                Some(k) if s.support == Support::Refused && *k != 0 => {
+                Some(k) if self.law.support(s.name) == Support::Refused && *k != 0 => {
                     return Err(LawError::Refused {
-                        law: law(),
+                        law: self.called(),
                         setting: s.name,
                         option: s.options[*k],
                         why: s.doc,
@@ -182,10 +191,11 @@ impl Settings {
         Ok(())
     }
 
-    /// Whether these settings call for a property or a slot; a setting that was not chosen is at none of its options.
+    /// Whether these settings call for a property or a slot. A setting without a default that the deck has not chosen counts
+    /// as being at none of its options.
     pub fn need(&self, need: Need) -> bool {
         let is = |name: &str, option: &str| {
-            let k = self.meta.settings.iter().position(|s| s.name == name).expect("a setting of this law");
+            let (k, _) = self.find(name).expect("a setting of this law");
             self.picked[k].is_some() && self.option(name) == option
         };
         match need {
@@ -198,7 +208,7 @@ impl Settings {
     }
 }
 
-/// The property values of one law: `of[k]` belongs to `Meta::props[k]`, row by row for a type pair, empty where the
+/// The property values of one law: `of[k]` belongs to `META.props[k]`, row by row for a type pair, empty where the
 /// settings do not call for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
@@ -212,7 +222,7 @@ pub struct Values {
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// The law.
-    pub meta: &'static Meta,
+    pub law: &'static Entry,
     /// The options chosen.
     pub settings: Settings,
     /// The property values.
@@ -225,8 +235,8 @@ impl Setup {
     /// Check settings and values against the law's own description.
     pub fn check(&self) -> Result<(), LawError> {
         self.settings.check()?;
-        for (k, prop) in self.meta.props.iter().enumerate().filter(|(_, p)| self.settings.need(p.need)) {
-            let law = self.meta.called(self.settings.taken_over);
+        for (k, prop) in self.law.meta.props.iter().enumerate().filter(|(_, p)| self.settings.need(p.need)) {
+            let law = self.settings.called();
             let (name, shape) = (prop.name, prop.shape.keyword());
             let values = self.values.of.get(k).map_or(&[][..], |v| v);
             let expected = prop.shape.len(self.values.types);
@@ -247,17 +257,33 @@ impl Setup {
 
     /// The slots of history that the settings call for, in the order in which they lie in memory.
     pub fn slots(&self) -> impl Iterator<Item = &'static Slot> + '_ {
-        self.meta.slots.iter().filter(|s| self.settings.need(s.need))
+        self.law.meta.slots.iter().filter(|s| self.settings.need(s.need))
     }
 
     /// Check the set-up and mix the coefficients of all pairs of atom types; `i * types + j` is the place of i and j.
     ///
     /// # Errors
     /// The first thing that the law refuses.
-    pub fn coeffs<L: Law>(&self) -> Result<Vec<L::Coeffs>, LawError> {
+    pub fn mixed<C>(&self, mix: fn(&Pair<'_>) -> Result<C, LawError>) -> Result<Vec<C>, LawError> {
         self.check()?;
+        self.pairs().map(|p| mix(&p)).collect()
+    }
+
+    /// The remarks on all pairs of atom types.
+    pub(super) fn all_remarks(&self, of: fn(&Pair<'_>) -> Vec<String>) -> Vec<String> {
+        self.pairs().flat_map(|p| of(&p)).collect()
+    }
+
+    /// Where each slot of the law lies in a row, from the places of those that the settings call for.
+    pub fn placed(&self, places: &[usize]) -> Vec<Option<usize>> {
+        let mut next = places.iter().copied();
+        let of = |s: &Slot| self.settings.need(s.need).then(|| next.next().expect("a place for every slot"));
+        self.law.meta.slots.iter().map(of).collect()
+    }
+
+    fn pairs(&self) -> impl Iterator<Item = Pair<'_>> {
         let n = self.values.types;
-        (0..n * n).map(|p| L::coeffs(&self.pair(p / n, p % n))).collect()
+        (0..n * n).map(move |p| self.pair(p / n, p % n))
     }
 
     /// The view of one pair of atom types, counted from 0.
@@ -296,9 +322,10 @@ impl Pair<'_> {
     /// # Panics
     /// As [`Pair::get`].
     pub fn both(&self, name: &str) -> (f64, f64) {
-        let k = self.setup.meta.props.iter().position(|p| p.name == name).expect("a property of this law");
+        let k =
+            self.setup.law.meta.props.iter().position(|p| p.name == name).expect("a property of this law");
         let (v, n) = (&self.setup.values.of[k], self.setup.values.types);
-        match self.setup.meta.props[k].shape {
+        match self.setup.law.meta.props[k].shape {
             Shape::Scalar => (v[0], v[0]),
             Shape::PerType => (v[self.i], v[self.j]),
             Shape::PerPair => (v[self.i * n + self.j], v[self.i * n + self.j]),
@@ -322,8 +349,7 @@ impl Pair<'_> {
 
     /// A refusal of an option that makes no sense with the rest.
     pub fn refuse_option(&self, setting: &'static str, option: &'static str, why: &'static str) -> LawError {
-        let law = self.setup.meta.called(self.setup.settings.taken_over);
-        LawError::Refused { law, setting, option, why }
+        LawError::Refused { law: self.law(), setting, option, why }
     }
 
     /// A refusal of a value that the ranges alone cannot rule out.
@@ -343,6 +369,6 @@ impl Pair<'_> {
 
     /// The name of the law in messages.
     pub fn law(&self) -> String {
-        self.setup.meta.called(self.setup.settings.taken_over)
+        self.setup.settings.called()
     }
 }

@@ -27,9 +27,9 @@
 //!
 //! Limits: without (L) a sign torque never settles; near rest it overshoots by up to `Mmax dt/I` each step, and what lies
 //! on a slope creeps. (L) takes spheres for solid and free, unless frozen.
-use super::formulas::{effective_young, jkr_radius, without_normal, ConstantTorque};
+use super::formulas::{effective_young, jkr_radius, resist, without_normal, ConstantTorque};
 use super::prop;
-use crate::lane::{dot, norm, select3, zero, Lane};
+use crate::lane::{dot, norm, select3, zero, Lane, Lanes};
 use crate::law::*;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -59,8 +59,8 @@ struct Switches {
 }
 
 /// What sizes, masses and types decide.
-#[derive(Clone, Copy, Debug)]
-pub struct Fit<L = f64> {
+#[derive(Clone, Copy, Debug, Lanes)]
+pub struct Params<L = f64> {
     torque: ConstantTorque<L>,
     /// 1/I_i and 1/I_j, and I of (L).
     mobility: [L; 2],
@@ -68,15 +68,8 @@ pub struct Fit<L = f64> {
     switches: Switches,
 }
 
-const fn adhesion(
-    name: &'static str,
-    symbol: &'static str,
-    unit: Unit,
-    usual: (f64, f64),
-    doc: &'static str,
-) -> Prop {
-    let (shape, range, need) = (Shape::PerPair, Range::at_least(0.0), Need::Always);
-    Prop { name, symbol, shape, unit, range, usual, need, doc }
+const fn adhesion(name: &'static str, symbol: &'static str, unit: Unit, doc: &'static str) -> Prop {
+    Prop::new(name, symbol, Shape::PerPair, unit, Range::at_least(0.0), doc)
 }
 
 /// Share of the spin below which a rolling part is the round-off of a spin along the normal, squared.
@@ -84,53 +77,34 @@ const ROUND_OFF: f64 = 1e-28;
 
 impl Law for CdtJkr {
     const META: Meta = Meta {
-        kind: Kind::Rolling,
-        keyword: "cdt_jkr",
-        id: 58,
-        stock_id: None,
-        summary: "constant directional torque of adhesive spheres",
         props: &[
             prop::YOUNG,
             prop::POISSON,
-            adhesion(
-                "workOfAdhesion",
-                "W",
-                Unit::J_PER_M2,
-                (1e-3, 5.0),
-                "energy per area that parts two surfaces",
-            ),
+            adhesion("workOfAdhesion", "W", Unit::J_PER_M2, "energy per area that parts two surfaces")
+                .usually(1e-3, 5.0),
             adhesion(
                 "adhesionHysteresis",
                 "η",
                 Unit::ONE,
-                (0.0, 50.0),
                 "hysteresis of adhesion, a factor of the rolling friction",
-            ),
+            )
+            .usually(0.0, 50.0),
         ],
         settings: &[
-            Setting::off("torsionTorque", Support::Full, "also resist spin about the normal"),
+            prop::TORSION_TORQUE,
             Setting::off(
                 "restTorqueLimit",
-                Support::Full,
                 "never let the torque turn the spin round within a step, so that what rolls comes to rest",
             ),
             Setting {
                 name: "cdtJkrConvention",
                 options: &["documented", "upstream"],
                 default: None,
-                support: Support::Full,
                 doc: "documented is the published law, with pi in the rolling friction and the size of the torque set by the \
                       rolling part of the spin; upstream is the code of LIGGGHTS_Flexible_Fibers, without pi and with the \
                       whole spin. The torques differ by a factor of pi and more, so there is no default",
             },
         ],
-        atoms: &[],
-        slots: &[],
-        stress_strain_exponent: 0.0,
-        reach: Reach::Overlap,
-        anchors: false,
-        bonds: None,
-        coarse_graining: false,
         references: &[
             "Open DEM Japan, CDT-JKR rolling resistance model (rolling_model_cdt_jkr.h), 29 June 2025",
             "K.L. Johnson, K. Kendall, A.D. Roberts, Proc. R. Soc. A 324 (1971) 301",
@@ -139,10 +113,13 @@ impl Law for CdtJkr {
             rule: Rule::Continuous,
             why: "the torque keeps its size and changes sign with the spin, unless restTorqueLimit is on",
         }],
+        ..Meta::new(Kind::Rolling, "cdt_jkr", "constant directional torque of adhesive spheres")
     };
-    type History = [f64; 0];
+    // As `cdt`.
+    const LIGGGHTS: Binding = Binding { marks: [Mark::Leave; 2], ..Binding::new(58, None) };
     type Coeffs = Coeffs;
-    type Fit = Fit;
+    type Params = Params;
+    type History = [f64; 0];
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
         let (torsion, rest_limit) = (p.on("torsionTorque"), p.on("restTorqueLimit"));
@@ -161,7 +138,7 @@ impl Law for CdtJkr {
         })
     }
 
-    fn fit(c: &Coeffs, size: &Size) -> Fit {
+    fn params(c: &Coeffs, size: &Size) -> Params {
         let reff = size.reff();
         let a0 = jkr_radius(c.work, reff, c.yeff); // (2)
         let pi = if c.documented { PI } else { 1.0 };
@@ -169,24 +146,32 @@ impl Law for CdtJkr {
         let (i, j) = size.mobilities();
         // Two that are held do not turn.
         let inertia = if i + j > 0.0 { 1.0 / (i + j) } else { 0.0 };
-        Fit { torque: ConstantTorque::new(mu, size), mobility: [i, j], inertia, switches: c.switches }
+        Params { torque: ConstantTorque::new(mu, size), mobility: [i, j], inertia, switches: c.switches }
     }
 
-    fn touch(f: &Fit, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
-        Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
+    #[inline(always)]
+    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+        let Switches { torsion, rest_limit, .. } = p.switches;
+        let spin = if rest_limit { p.resting(call, x, s) } else { x.roll };
+        let (axis, length, rolls) = p.axis(spin, &x.en);
+        let mut torque = p.torque.along(&axis, length, call, x, s.kn); // (8)
+        if rest_limit {
+            torque = select3(p.torque.size(x, s.kn).gt(length), axis, torque);
+        }
+        torque = select3(rolls, torque, zero()); // (9)
+        if !torsion {
+            torque = without_normal(torque, &x.en); // (10)
+        }
+        resist(s, &torque);
     }
 
-    fn apart(_: &mut [f64; 0], s: &mut Stage) {
-        s.mark = Mark::Leave; // As `cdt`.
-    }
-
-    fn observe(f: &Fit, x: &Contact, _: &[f64; 0]) -> Terms {
-        let (_, _, rolls) = f.axis(x.surface.roll, &x.surface.en);
+    fn observe(p: &Params, x: &Contact, _: &[f64; 0]) -> Terms {
+        let (_, _, rolls) = p.axis(x.surface.roll, &x.surface.en);
         Terms { branch: if rolls { "rolling" } else { "at rest" }, ..Terms::default() }
     }
 }
 
-impl<L: Lane> Fit<L> {
+impl<L: Lane> Params<L> {
     /// (L) The torque that brings the pair to rest within the step \[N m\].
     #[inline(always)]
     fn resting(&self, call: &Call, x: &Surface<L>, s: &Stage<L>) -> Vector3<L> {
@@ -209,61 +194,34 @@ impl<L: Lane> Fit<L> {
     }
 }
 
-impl LaneLaw for CdtJkr {
-    type FitOf<L: Lane> = Fit<L>;
-    type HistoryOf<L: Lane> = [L; 0];
-
-    fn fit_at(f: &Fit, _: f64) -> Fit {
-        *f
-    }
-
-    #[inline(always)]
-    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
-        Fit {
-            torque: ConstantTorque::side_by_side(|k| f(k).torque),
-            mobility: [L::from_fn(|k| f(k).mobility[0]), L::from_fn(|k| f(k).mobility[1])],
-            inertia: L::from_fn(|k| f(k).inertia),
-            switches: f(0).switches,
-        }
-    }
-
-    #[inline(always)]
-    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
-        let Switches { torsion, rest_limit, .. } = f.switches;
-        let spin = if rest_limit { f.resting(call, x, s) } else { x.roll };
-        let (axis, length, rolls) = f.axis(spin, &x.en);
-        let mut torque = f.torque.along(&axis, length, call, x, s.kn); // (8)
-        if rest_limit {
-            torque = select3(f.torque.size(x, s.kn).gt(length), axis, torque);
-        }
-        torque = select3(rolls, torque, zero()); // (9)
-        if !torsion {
-            torque = without_normal(torque, &x.en); // (10)
-        }
-        s.torque_i -= torque;
-        s.torque_j += torque;
-        s.mark = Mark::Leave;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    static LAW: Entry = Entry::law::<CdtJkr>();
+
     fn setup(convention: &str, limit: &str, nktv2p: f64) -> Setup {
-        let mut settings = Settings::new(&CdtJkr::META, false);
+        let mut settings = Settings::new(&LAW, false);
         settings.set("cdtJkrConvention", convention).unwrap();
         settings.set("restTorqueLimit", limit).unwrap();
         // E, ν, W and η.
         let of = [5e6, 0.45, 5.0, 1.0].map(|v| vec![v]).to_vec();
-        Setup { meta: &CdtJkr::META, settings, values: Values { types: 1, of }, nktv2p }
+        Setup { law: &LAW, settings, values: Values { types: 1, of }, nktv2p }
     }
 
     /// Mmax over kn δ R*, for two spheres of 5 mm.
     fn mu(setup: &Setup) -> f64 {
-        let size = Size { radi: 5e-3, radj: 5e-3, massi: 1.0, massj: 1.0, meff: 0.5, is_wall: false };
-        let fit = CdtJkr::fit(&CdtJkr::coeffs(&setup.pair(0, 0)).unwrap(), &size);
-        fit.torque.size(&Surface { deltan: 1.0, ..Surface::default() }, 1.0) / size.reff()
+        let size = Size {
+            radi: 5e-3,
+            radj: 5e-3,
+            massi: 1.0,
+            massj: 1.0,
+            frozen: [false; 2],
+            meff: 0.5,
+            is_wall: false,
+        };
+        let params = CdtJkr::params(&CdtJkr::coeffs(&setup.pair(0, 0)).unwrap(), &size);
+        params.torque.size(&Surface { deltan: 1.0, ..Surface::default() }, 1.0) / size.reff()
     }
 
     #[test]

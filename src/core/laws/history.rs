@@ -20,9 +20,9 @@
 //! Limits: (E2) adds the dashpot after the Coulomb test, so the force jumps by γt v_t where sticking turns into
 //! slipping and may exceed μ|Fn| below it; the projection loses length when the normal turns. Both as LIGGGHTS.
 //! When slip turns into stick shows in second derivatives only, so there (E4) has no counterpart.
-use super::no_history::push;
+use super::friction::{push, Coeffs, Params};
 use super::prop;
-use super::timing::{at_once, growing, turning, Ends, Timing};
+use super::timing::{at_once, growing, turning, Ends};
 use crate::lane::{dot, each, norm, select3, zero, Lane};
 use crate::law::*;
 use nalgebra::Vector3;
@@ -30,43 +30,11 @@ use nalgebra::Vector3;
 /// The law.
 pub struct History;
 
-/// What a pair of types decides.
-#[derive(Clone, Copy, Debug)]
-pub struct Coeffs {
-    mu: f64,
-    timing: Timing,
-}
-
-/// What two sizes decide.
-#[derive(Clone, Copy, Debug)]
-pub struct Fit<L = f64> {
-    mu: L,
-    meff: L,
-    timing: Timing,
-}
-
 impl Law for History {
     const META: Meta = Meta {
-        kind: Kind::Tangential,
-        keyword: "history",
-        id: 50,
-        stock_id: Some(2),
-        summary: "shear spring and dashpot with Coulomb limit",
         props: &[prop::FRICTION],
-        settings: &[
-            prop::CENTRED_DAMPING,
-            prop::TOUCH_FRACTION,
-            prop::refused("heating_tangential_history", "contacts do not produce heat"),
-            prop::HEATING_TRACKING,
-            prop::ELASTIC_POTENTIAL,
-            prop::DISSIPATED_ENERGY,
-        ],
-        atoms: &[],
+        settings: &[prop::CENTRED_DAMPING, prop::TOUCH_FRACTION],
         slots: &[Slot::odd("shearx", Unit::M), Slot::odd("sheary", Unit::M), Slot::odd("shearz", Unit::M)],
-        stress_strain_exponent: 0.0,
-        reach: Reach::Overlap,
-        anchors: false,
-        bonds: None,
         coarse_graining: true,
         references: &[
             "P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47",
@@ -77,46 +45,34 @@ impl Law for History {
             why:
                 "γt v_t is added below the Coulomb limit only, so the force jumps by it at the onset of slip",
         }],
+        ..Meta::new(Kind::Tangential, "history", "shear spring and dashpot with Coulomb limit")
     };
-    type History = [f64; 3];
+    const LIGGGHTS: Binding = Binding {
+        own_settings: &["centredDamping", "touchFraction"],
+        refused: &[
+            prop::refused("heating_tangential_history", "contacts do not produce heat"),
+            prop::HEATING_TRACKING,
+            prop::ELASTIC_POTENTIAL,
+            prop::DISSIPATED_ENERGY,
+        ],
+        ..Binding::new(50, Some(2))
+    };
     type Coeffs = Coeffs;
-    type Fit = Fit;
+    type Params = Params;
+    type History = [f64; 3];
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Ok(Coeffs { mu: p.get("coefficientFriction"), timing: Timing::new(p) })
+        Coeffs::new(p)
     }
 
-    fn fit(c: &Coeffs, size: &Size) -> Fit {
-        Fit { mu: c.mu, meff: size.meff, timing: c.timing }
-    }
-
-    fn touch(f: &Fit, x: &Contact, h: &mut [f64; 3], s: &mut Stage) {
-        Self::touch_lanes(f, &x.gap.call, &x.surface, h, s);
-    }
-
-    fn observe(_: &Fit, x: &Contact, h: &[f64; 3]) -> Terms {
-        let moved = norm(&Vector3::from(*h)) > 0.0 || norm(&x.surface.vtr) > 0.0;
-        Terms { branch: if moved { "sheared" } else { "virgin" }, ..Terms::default() }
-    }
-}
-
-impl LaneLaw for History {
-    type FitOf<L: Lane> = Fit<L>;
-    type HistoryOf<L: Lane> = [L; 3];
-
-    fn fit_at(f: &Fit, _: f64) -> Fit {
-        *f
+    fn params(c: &Coeffs, size: &Size) -> Params {
+        c.params(size)
     }
 
     #[inline(always)]
-    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
-        Fit { mu: L::from_fn(|k| f(k).mu), meff: L::from_fn(|k| f(k).meff), timing: f(0).timing }
-    }
-
-    #[inline(always)]
-    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
-        if f.timing.acts(call) {
-            return timed(f, call, x, h, s);
+    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+        if p.timing.acts(call) {
+            return timed(p, call, x, h, s);
         }
         let mut shear = Vector3::from(*h);
         if call.update {
@@ -126,7 +82,7 @@ impl LaneLaw for History {
         }
         let length = norm(&shear);
         let elastic = each(&shear, |x| -(x * s.kt));
-        let (spring, coulomb) = (s.kt * length, f.mu * s.fn_.abs());
+        let (spring, coulomb) = (s.kt * length, p.mu * s.fn_.abs());
         let slips = spring.gt(coulomb);
         let mut force = elastic - x.vtr * s.gammat; // (E2)
         if L::any(slips) {
@@ -138,43 +94,48 @@ impl LaneLaw for History {
         }
         push(x, s, force);
     }
+
+    fn observe(_: &Params, x: &Contact, h: &[f64; 3]) -> Terms {
+        let moved = norm(&Vector3::from(*h)) > 0.0 || norm(&x.surface.vtr) > 0.0;
+        Terms { branch: if moved { "sheared" } else { "virgin" }, ..Terms::default() }
+    }
 }
 
-/// (E1) to (E3) with what [`Timing`] does to them.
+/// (E1) to (E3) with what [`super::timing`] does to them.
 #[inline(always)]
-fn timed<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+fn timed<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
     let (none, one, dt) = (L::splat(0.0), L::splat(1.0), L::splat(call.dt));
-    let ends = f.timing.ends(call, x, s.fn_, f.meff);
-    let rise = (-s.kn * x.vn - s.gamman * s.fn_ / f.meff) * dt;
-    let (turned, begun) = begun(f, s.fn_ / rise, ends.since);
+    let ends = p.timing.ends(call, x, s.fn_, p.meff);
+    let rise = (-s.kn * x.vn - s.gamman * s.fn_ / p.meff) * dt;
+    let (turned, begun) = begun(p, s.fn_ / rise, ends.since);
     let mut shear = select3(turned, zero(), Vector3::from(*h)) + x.vtr * (dt * begun); // (E1), (E5)
     shear -= x.en * dot(&shear, &x.en);
     let length = norm(&shear);
     let way = select3(length.gt(none), each(&shear, |e| e / length), zero());
-    let (spring, coulomb) = (s.kt * length, f.mu * s.fn_.abs());
+    let (spring, coulomb) = (s.kt * length, p.mu * s.fn_.abs());
     let slips = spring.gt(coulomb);
     *h = select3(slips, way * (coulomb / s.kt), shear).into();
     let (mut stuck, mut slid) = (one, none);
-    if f.timing.fraction() {
-        let limit = f.mu * L::select(none.gt(s.fn_), -rise, rise);
+    if p.timing.fraction() {
+        let limit = p.mu * L::select(none.gt(s.fn_), -rise, rise);
         let faster = s.kt * dot(&x.vtr, &way) * dt;
         (stuck, slid) = shares(ends.since, spring, coulomb, faster, limit);
         slid = L::select(turned, none, slid);
     }
-    let factor = f.timing.centring(call, s.gammat, turning(call, x, f.meff));
+    let factor = p.timing.centring(call, s.gammat, turning(call, x, p.meff));
     let (elastic, dashpot) = (way * -(spring * factor), x.vtr * -(s.gammat * factor));
     let end = at_once(ends.left);
     let stick = (elastic * growing(ends.since) + dashpot * stuck) * end; // (E2), (E4)
-    let slip = way * -pressed(f, call, x, s, &ends) + dashpot * (slid * end); // (E3), (E4)
+    let slip = way * -pressed(p, call, x, s, &ends) + dashpot * (slid * end); // (E3), (E4)
     push(x, s, select3(slips, slip, stick));
 }
 
 /// (E5): whether the normal force, zero so many steps ago, changed its sign in this one, and the part of the step that
 /// shears.
 #[inline(always)]
-fn begun<L: Lane>(f: &Fit<L>, zero_since: L, since: L) -> (L::Mask, L) {
+fn begun<L: Lane>(p: &Params<L>, zero_since: L, since: L) -> (L::Mask, L) {
     let (none, one) = (L::splat(0.0), L::splat(1.0));
-    if !f.timing.fraction() {
+    if !p.timing.fraction() {
         return (none.gt(one), one);
     }
     let turned = zero_since.gt(none) & one.gt(zero_since) & since.gt(one);
@@ -183,11 +144,11 @@ fn begun<L: Lane>(f: &Fit<L>, zero_since: L, since: L) -> (L::Mask, L) {
 
 /// The Coulomb force as it acts over the step \[N\], weighted as the parts of the normal force are.
 #[inline(always)]
-fn pressed<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, s: &Stage<L>, ends: &Ends<L>) -> L {
-    let dashpot = -s.gamman * x.vn * f.timing.centring(call, s.gamman, f.meff);
+fn pressed<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, s: &Stage<L>, ends: &Ends<L>) -> L {
+    let dashpot = -s.gamman * x.vn * p.timing.centring(call, s.gamman, p.meff);
     let acts = (s.fn_ - dashpot) * ends.growing() + dashpot * ends.at_once();
     // A normal force that was cut off has no friction.
-    f.mu * L::select(s.fn_.abs().gt(L::splat(0.0)), acts.abs(), L::splat(0.0))
+    p.mu * L::select(s.fn_.abs().gt(L::splat(0.0)), acts.abs(), L::splat(0.0))
 }
 
 /// (E4): what part of the dashpot acts where the contact sticks, and where it slips. `faster` and `limit` are what

@@ -18,72 +18,57 @@
 //!
 //! Departure: with `viscous on` LIGGGHTS divides infinity by infinity at v_n = 0 and gets NaN; here the limit
 //! `γn = sqrt(4 m* kn)` holds.
-use super::formulas::{effective_young, hooke_stiffness, not_below_zero, Damper, Viscous};
+use super::dashpot::{self, Dashpot, Restitution};
+use super::formulas::{effective_young, hooke_stiffness};
+use super::normal::{Normal, Switches};
 use super::prop;
-use super::timing::{Onset, Timing};
-use crate::lane::Lane;
+use super::timing::Onset;
+use crate::lane::{Lane, Lanes};
 use crate::law::*;
 use std::f64::consts::PI;
+use std::marker::PhantomData;
 
-/// The law.
-pub struct Hooke;
+/// The law; `D` is what its dashpot goes by.
+pub struct Hooke<D = Restitution>(PhantomData<D>);
 
 /// What a pair of types decides.
 #[derive(Clone, Copy, Debug)]
 pub struct Coeffs {
     yeff: f64,
     vc: f64,
-    log_e: f64,
-    viscous: Option<Viscous>,
+    dashpot: dashpot::Coeffs,
     kt_over_kn: f64,
-    tangential_damping: bool,
-    limit_force: bool,
-    timing: Timing,
+    switches: Switches,
     nktv2p: f64,
 }
 
 /// What two sizes decide.
-#[derive(Clone, Copy, Debug)]
-pub struct Fit<L = f64> {
+#[derive(Clone, Copy, Debug, Lanes)]
+pub struct Params<L, D> {
     /// kn and kt \[N/m\].
     kn: L,
     kt: L,
-    /// γn and γt \[N s/m\].
-    gamman: L,
-    gammat: L,
     meff: L,
-    limit_force: bool,
-    timing: Timing,
-}
-
-/// A fit whose dashpot still waits for the velocity.
-#[derive(Clone, Copy, Debug)]
-pub struct Fitted {
-    fit: Fit,
-    damper: Damper,
+    dashpot: D,
+    switches: Switches,
 }
 
 /// (E2) for `ln e`; the limit for an infinite one.
-fn damping(meff: f64, kn: f64, log_e: f64) -> f64 {
-    if log_e.is_infinite() {
-        return (4.0 * meff * kn).sqrt();
-    }
-    let square = log_e * log_e;
-    (4.0 * meff * kn * square / (square + PI * PI)).sqrt()
+#[inline(always)]
+fn damping<L: Lane>(meff: L, kn: L, log_e: L) -> L {
+    let (four, square) = (L::splat(4.0), log_e * log_e);
+    let infinite = square.ge(L::splat(f64::INFINITY));
+    let gamma = four * meff * kn * square / (square + L::splat(PI * PI));
+    L::select(infinite, four * meff * kn, gamma).sqrt()
 }
 
-impl Law for Hooke {
+impl<D: Dashpot> Law for Hooke<D> {
     const META: Meta = Meta {
-        kind: Kind::Normal,
-        keyword: "hooke",
-        id: 48,
-        stock_id: Some(0),
-        summary: "linear spring and dashpot",
         props: &[
             prop::YOUNG,
             prop::POISSON,
             prop::CHARACTERISTIC_VELOCITY,
-            Prop { need: Need::Unless("viscous", "on"), ..prop::RESTITUTION },
+            prop::RESTITUTION.needed(Need::Unless("viscous", "on")),
             prop::FLUID_VISCOSITY,
             prop::MAXIMUM_RESTITUTION,
             prop::CRITICAL_STOKES,
@@ -95,20 +80,9 @@ impl Law for Hooke {
             prop::LIMIT_FORCE,
             prop::CENTRED_DAMPING,
             prop::TOUCH_FRACTION,
-            Setting::off("ktToKnUser", Support::Full, "tangential stiffness 2/7 of the normal one"),
-            prop::refused("heating_normal_hooke", "contacts do not produce heat"),
-            prop::HEATING_TRACKING,
-            prop::ELASTIC_POTENTIAL,
-            prop::DISSIPATED_ENERGY,
-            prop::DISABLE_WHEN_BONDED,
+            Setting::off("ktToKnUser", "tangential stiffness 2/7 of the normal one"),
         ],
-        atoms: &[],
-        slots: &[],
         stress_strain_exponent: 1.0,
-        reach: Reach::Overlap,
-        anchors: false,
-        bonds: None,
-        coarse_graining: false,
         references: &["P.A. Cundall, O.D.L. Strack, Géotechnique 29 (1979) 47"],
         exceptions: &[
             Exception {
@@ -120,97 +94,64 @@ impl Law for Hooke {
                 why: "with viscous and centredDamping on, a prescribed motion is damped more one way than the other, and a share of the spring force goes with the damping",
             },
         ],
+        ..Meta::new(Kind::Normal, "hooke", "linear spring and dashpot")
     };
-    type History = [f64; 0];
+    const LIGGGHTS: Binding = Binding {
+        own_settings: &["viscousAbs", "centredDamping", "touchFraction"],
+        refused: &[
+            prop::refused("heating_normal_hooke", "contacts do not produce heat"),
+            prop::HEATING_TRACKING,
+            prop::ELASTIC_POTENTIAL,
+            prop::DISSIPATED_ENERGY,
+            prop::DISABLE_WHEN_BONDED,
+        ],
+        // LIGGGHTS sets the flag where it would be expected to clear it.
+        marks: [Mark::Set, Mark::Set],
+        ..Binding::new(48, Some(0))
+    };
     type Coeffs = Coeffs;
-    type Fit = Fitted;
+    type Params = Params<f64, D>;
+    type History = [f64; 0];
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        let viscous = Viscous::new(p);
         Ok(Coeffs {
             yeff: effective_young(p),
             vc: p.get("characteristicVelocity"),
-            log_e: if viscous.is_some() { 0.0 } else { p.get("coefficientRestitution").ln() },
-            viscous,
+            dashpot: dashpot::Coeffs::new(p),
             // The seven-digit 2/7 is LIGGGHTS's.
             kt_over_kn: if p.on("ktToKnUser") { 0.285714286 } else { 1.0 },
-            tangential_damping: p.on("tangential_damping"),
-            limit_force: p.on("limitForce"),
-            timing: Timing::new(p),
+            switches: Switches::new(p),
             nktv2p: p.nktv2p(),
         })
     }
 
-    fn fit(c: &Coeffs, size: &Size) -> Fitted {
+    fn params(c: &Coeffs, size: &Size) -> Params<f64, D> {
         let kn = hooke_stiffness(c.yeff, size.reff(), size.meff, c.vc); // (E1)
-        let damper = Damper::new(damping, size, kn, c.log_e, c.viscous, c.tangential_damping);
         let (k, kt) = (kn / c.nktv2p, kn * c.kt_over_kn / c.nktv2p);
-        let Coeffs { limit_force, timing, .. } = *c;
-        let fit = Fit { kn: k, kt, gamman: 0.0, gammat: 0.0, meff: size.meff, limit_force, timing };
-        Fitted { fit, damper }
-    }
-
-    fn touch(f: &Fitted, x: &Contact, h: &mut [f64; 0], s: &mut Stage) {
-        Self::touch_lanes(&Self::fit_at(f, x.surface.vn), &x.gap.call, &x.surface, h, s);
-    }
-
-    fn apart(_: &mut [f64; 0], s: &mut Stage) {
-        s.mark = Mark::Set; // As LIGGGHTS, which sets the flag where it would be expected to clear it.
-    }
-
-    fn observe(f: &Self::Fit, x: &Contact, _: &[f64; 0]) -> Terms {
-        let fit = Self::fit_at(f, x.surface.vn);
-        Terms {
-            branch: "spring",
-            stiffness: fit.kn,
-            damping: fit.gamman,
-            stored: 0.5 * fit.kn * x.surface.deltan * x.surface.deltan,
-            dissipated: fit.gamman * x.surface.vn * x.surface.vn,
-            load: 0.0,
-        }
-    }
-}
-
-impl LaneLaw for Hooke {
-    type FitOf<L: Lane> = Fit<L>;
-    type HistoryOf<L: Lane> = [L; 0];
-
-    fn follows_speed(f: &Fitted) -> bool {
-        f.damper.follows_speed()
-    }
-
-    fn fit_at(f: &Fitted, vn: f64) -> Fit {
-        let (gamman, gammat) = f.damper.at(vn);
-        Fit { gamman, gammat, ..f.fit }
+        let dashpot = D::new(&c.dashpot, size, kn, damping);
+        Params { kn: k, kt, meff: size.meff, dashpot, switches: c.switches }
     }
 
     #[inline(always)]
-    fn side_by_side<L: Lane>(f: impl Fn(usize) -> Fit) -> Fit<L> {
-        Fit {
-            kn: L::from_fn(|k| f(k).kn),
-            kt: L::from_fn(|k| f(k).kt),
-            gamman: L::from_fn(|k| f(k).gamman),
-            gammat: L::from_fn(|k| f(k).gammat),
-            meff: L::from_fn(|k| f(k).meff),
-            limit_force: f(0).limit_force,
-            timing: f(0).timing,
-        }
+    fn touch<L: Lane>(
+        p: &Params<L, D::Of<L>>,
+        call: &Call,
+        x: &Surface<L>,
+        _: &mut [L; 0],
+        s: &mut Stage<L>,
+    ) {
+        let gamman = D::gamma(&p.dashpot, x.vn, damping); // (E2)
+        let damping = (gamman, p.switches.tangential(|| gamman));
+        let (spring, stiffness) = (p.kn * x.deltan, (p.kn, p.kt));
+        let normal = Normal { spring, stiffness, damping, meff: p.meff, onset: Onset::AtOnce };
+        p.switches.push(&normal, call, x, s); // (E3)
     }
 
-    #[inline(always)]
-    fn touch_lanes<L: Lane>(f: &Fit<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
-        let spring = f.kn * x.deltan;
-        let mut fn_ = -f.gamman * x.vn + spring; // (E3)
-        let mut acts = fn_;
-        if f.timing.acts(call) {
-            (fn_, acts) = f.timing.normal(call, x, f.meff, spring, f.gamman, Onset::AtOnce);
-        }
-        if f.limit_force {
-            (fn_, acts) = not_below_zero(fn_, acts);
-        }
-        (s.fn_, s.kn, s.kt, s.gamman, s.gammat) = (fn_, f.kn, f.kt, f.gamman, f.gammat);
-        s.force += x.en * acts;
-        s.mark = Mark::Set;
+    fn observe(p: &Params<f64, D>, x: &Contact, _: &[f64; 0]) -> Terms {
+        let Surface { deltan, vn, .. } = x.surface;
+        let damping = D::gamma(&p.dashpot, vn, damping);
+        let (stored, dissipated) = (0.5 * p.kn * deltan * deltan, damping * vn * vn);
+        Terms { branch: "spring", stiffness: p.kn, damping, stored, dissipated, load: 0.0 }
     }
 }
 

@@ -1,31 +1,36 @@
 //! Every law, one file each.
 use crate::law::{Alone, Entry, ForLanes, Kind};
+use dashpot::Viscous;
+use hooke_hysteresis::HookeHysteresis;
 
 pub mod bond_nonlinear;
 pub mod cdt;
 pub mod cdt_jkr;
+pub mod dashpot;
 pub mod formulas;
+pub mod friction;
 pub mod hertz;
 pub mod history;
 pub mod hooke;
 pub mod hooke_hysteresis;
 pub mod no_history;
+pub mod normal;
 pub mod prop;
 pub mod table;
 pub mod timing;
 
-/// All laws, one line each, with what `U` makes of those that have lanes. A law that is not here does not exist.
+/// All laws, one line each, with what `U` makes of those over lanes. A law that is not here answers to no name.
 pub const fn all<U: ForLanes>() -> &'static [Entry<U>] {
     const {
         &[
-            Entry::lanes::<hooke::Hooke>(),
-            Entry::lanes::<hertz::Hertz>(),
-            Entry::lanes::<hooke_hysteresis::HookeHysteresis>(),
-            Entry::scalar::<bond_nonlinear::BondNonlinear>(),
-            Entry::lanes::<no_history::NoHistory>(),
-            Entry::lanes::<history::History>(),
-            Entry::lanes::<cdt::Cdt>(),
-            Entry::lanes::<cdt_jkr::CdtJkr>(),
+            Entry::law::<hooke::Hooke>().or_with::<hooke::Hooke<Viscous>>("viscous", "on"),
+            Entry::law::<hertz::Hertz>(),
+            Entry::law::<HookeHysteresis>().or_with::<HookeHysteresis<Viscous>>("viscous", "on"),
+            Entry::gap_law::<bond_nonlinear::BondNonlinear>(),
+            Entry::law::<no_history::NoHistory>(),
+            Entry::law::<history::History>(),
+            Entry::law::<cdt::Cdt>(),
+            Entry::law::<cdt_jkr::CdtJkr>(),
         ]
     }
 }
@@ -49,8 +54,10 @@ mod tests {
         let mut seen = HashSet::new();
         for e in LAWS {
             assert!(seen.insert((e.meta.kind, e.meta.keyword.to_string())), "{} twice", e.meta.keyword);
-            assert!(seen.insert((e.meta.kind, format!("id {}", e.meta.id))), "id {} twice", e.meta.id);
-            assert!(e.meta.stock_id.is_none_or(|id| id < 16), "{}", e.meta.keyword);
+            let id = e.liggghts.id;
+            assert!(seen.insert((e.meta.kind, format!("id {id}"))), "id {id} twice");
+            assert!((48..64).contains(&id), "{}: own numbers are 48 to 63", e.meta.keyword);
+            assert!(e.liggghts.stock_id.is_none_or(|id| id < 16), "{}", e.meta.keyword);
         }
     }
 

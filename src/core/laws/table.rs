@@ -1,6 +1,6 @@
 //! The table of laws in the README.
 use super::LAWS;
-use crate::law::{Kind, Meta, Support};
+use crate::law::{Kind, Meta};
 use std::fmt::Write;
 
 /// One row per law: how it is selected, what it is, what it asks for.
@@ -16,12 +16,11 @@ pub fn markdown() -> String {
 }
 
 fn cells(m: &Meta) -> [String; 5] {
-    let settings = m.settings.iter().filter(|s| s.support != Support::Refused).map(|s| s.name);
     [
         format!("`{} {}`", m.kind.keyword(), m.called(false)),
         m.summary.into(),
         names(m.props.iter().map(|p| p.name)),
-        names(settings),
+        names(m.settings.iter().map(|s| s.name)),
         names(m.slots.iter().map(|s| s.name)),
     ]
 }

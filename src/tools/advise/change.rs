@@ -1,6 +1,6 @@
 //! Simpler chains: what can be left out of a chain of laws, or put in place of one.
 use crate::trace::{Header, LawSpec, Property};
-use granlaw::law::{Kind, Meta, Settings};
+use granlaw::law::{Entry, Kind, Settings};
 use granlaw::laws::{prop, LAWS};
 use serde::Serialize;
 
@@ -50,8 +50,8 @@ impl Change {
             Change::Off(k) => to.laws.retain(|l| l.kind() != Some(*k)),
             Change::Law(k, keyword) => {
                 let at = to.laws.iter().position(|l| l.kind() == Some(*k))?;
-                let meta = LAWS.iter().map(|e| e.meta).find(|m| m.kind == *k && m.keyword == *keyword)?;
-                to.laws[at] = law(meta, &from.laws[at], from)?;
+                let entry = granlaw::laws::find(*k, keyword)?;
+                to.laws[at] = law(entry, &from.laws[at], from)?;
             }
             Change::Timed => to.laws.iter_mut().for_each(|l| {
                 let known = l.kind().and_then(|k| granlaw::laws::find(k, &l.keyword));
@@ -97,8 +97,9 @@ fn slots(l: &LawSpec) -> usize {
 }
 
 /// A law in the place of another: with the settings that both know, and the properties of the whole chain.
-fn law(meta: &'static Meta, old: &LawSpec, chain: &Header) -> Option<LawSpec> {
-    let mut settings = Settings::new(meta, old.taken_over);
+fn law(law: &'static Entry, old: &LawSpec, chain: &Header) -> Option<LawSpec> {
+    let meta = law.meta;
+    let mut settings = Settings::new(law, old.taken_over);
     for (name, option) in &old.settings {
         // What the new law does not know is left out.
         let _ = settings.set(name, option);

@@ -85,6 +85,7 @@ fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
         (gap.i.v, gap.delta) = (v.into(), Vector3::x() * (p.radius[0] + p.radius[1] - overlap));
         gap.rsq = gap.delta.norm_squared();
         let surface = Surface {
+            r: gap.delta.x,
             deltan: 0.5 * overlap,
             vn: 0.5 * v[0],
             en: Vector3::x(),

@@ -88,6 +88,7 @@ impl Rig<'_> {
         let gap = Gap { call, i, j, delta, rsq: delta.norm_squared(), meff: p.meff };
         let lever = |k: usize| if p.radius[k] > 0.0 { p.radius[k] - 0.5 * self.overlap } else { 0.0 };
         let surface = Surface {
+            r: delta.x,
             deltan: self.overlap,
             vn: 0.0,
             en: Vector3::x(),

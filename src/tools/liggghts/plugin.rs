@@ -18,7 +18,7 @@ pub struct Plugin {
 
 impl Plugin {
     /// The version of the agreement between plugin and command line.
-    pub const ABI: u32 = 2;
+    pub const ABI: u32 = 3;
 
     /// The plugin that `GRANLAW_PLUGIN` names; else the one beside this executable, in `../lib/granlaw` or in `../lib`.
     ///
@@ -88,8 +88,8 @@ mod tests {
         let path = dir.path().join("x.so");
         for (bytes, says) in [
             ("\x7fELF", "is not a granlaw plugin"),
-            ("granlaw-plugin abi=9 liggghts=3.8.0 end", "has ABI version 9, this granlaw needs 2"),
-            ("granlaw-plugin abi=2 liggghts=none end", "without LIGGGHTS's headers"),
+            ("granlaw-plugin abi=9 liggghts=3.8.0 end", "has ABI version 9, this granlaw needs 3"),
+            ("granlaw-plugin abi=3 liggghts=none end", "without LIGGGHTS's headers"),
         ] {
             fs::write(&path, bytes).unwrap();
             let error = Plugin::open(&path).unwrap_err().to_string();

@@ -111,7 +111,7 @@ impl Partners {
             types: [call.types.0 + 1, call.types.1 + 1],
             wall: g.call.is_wall,
             radius: [g.i.radius, g.j.radius],
-            mass: [g.i.mass, g.j.mass].map(|m| if m.is_finite() { m } else { 0.0 }),
+            mass: [g.i, g.j].map(|b| b.felt_mass()).map(|m| if m.is_finite() { m } else { 0.0 }),
             meff: g.meff,
         }
     }

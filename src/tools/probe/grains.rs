@@ -35,7 +35,7 @@ impl Grains {
         let others = partner.map_or(vec![(0.0, 0.0)], |g| ends(g).to_vec());
         let pair = |(radi, massi): (f64, f64), (radj, massj): (f64, f64)| {
             let meff = if wall { massi } else { massi * massj / (massi + massj) };
-            Size { radi, radj, massi, massj, meff, is_wall: wall }
+            Size { radi, radj, massi, massj, frozen: [false; 2], meff, is_wall: wall }
         };
         ends(self).into_iter().flat_map(|i| others.iter().map(move |j| pair(i, *j))).collect()
     }

@@ -59,5 +59,5 @@ impl Motion {
 
 /// Who is held in place: a wall, or a partner of infinite mass.
 fn held(g: &Gap) -> [bool; 2] {
-    [g.i.mass.is_infinite(), g.call.is_wall || g.j.mass.is_infinite()]
+    [g.i.frozen, g.call.is_wall || g.j.frozen]
 }

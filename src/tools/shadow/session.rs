@@ -27,7 +27,7 @@ impl Session {
     pub fn chain(&mut self, header: Header) -> usize {
         self.ranks = header.ranks;
         let (chain, left_out) = match rust(&header) {
-            Ok(setups) => match Chain::new(&setups, &header.offsets()) {
+            Ok(setups) => match Chain::new(&setups, &header.history_places(&setups)) {
                 Ok(chain) => (Some(chain), None),
                 Err(e) => (None, Some(e.to_string())),
             },
@@ -114,7 +114,7 @@ fn rust(header: &Header) -> Result<Vec<Setup>, String> {
     // In a shadowed run LIGGGHTS's own laws stand under their names, and ours where the deck itself asks for them.
     if let Some(ours) = header.laws.iter().find(|l| !l.taken_over) {
         let twin =
-            ours.kind().and_then(|k| find(k, &ours.keyword)).is_some_and(|e| e.meta.stock_id.is_some());
+            ours.kind().and_then(|k| find(k, &ours.keyword)).is_some_and(|e| e.liggghts.stock_id.is_some());
         return Err(match twin {
             true => {
                 format!("the deck itself runs granlaw's {}/rs; take LIGGGHTS's law, without /rs", name(ours))

@@ -1,6 +1,6 @@
 //! Laws with their numbers, written once: a chain for our own integrations, lines of a deck for LIGGGHTS.
 use granlaw::chain::Chain;
-use granlaw::law::{Kind, LawError, Meta, Settings, Setup, Shape, Support, Values};
+use granlaw::law::{Entry, Kind, LawError, Settings, Setup, Shape, Support, Values};
 use granlaw::laws::find;
 
 /// Laws with the property values and settings that a deck would give them; one material.
@@ -48,8 +48,8 @@ impl Matter {
         self.values.iter().find(|(n, _)| *n == name).map(|(_, v)| *v)
     }
 
-    fn metas(&self) -> impl Iterator<Item = &'static Meta> + '_ {
-        self.laws.iter().map(|(kind, name)| find(*kind, name).expect("a law of LAWS").meta)
+    fn entries(&self) -> impl Iterator<Item = &'static Entry> + '_ {
+        self.laws.iter().map(|(kind, name)| find(*kind, name).expect("a law of LAWS"))
     }
 
     /// What the laws are made from.
@@ -57,17 +57,18 @@ impl Matter {
     /// # Errors
     /// A setting or option that a law does not have.
     pub fn setups(&self) -> Result<Vec<Setup>, LawError> {
-        let one = |meta: &'static Meta| {
-            let mut settings = Settings::new(meta, false);
+        let one = |law: &'static Entry| {
+            let meta = law.meta;
+            let mut settings = Settings::new(law, false);
             for (name, option) in &self.settings {
                 if meta.settings.iter().any(|s| s.name == *name) {
                     settings.set(name, option)?;
                 }
             }
             let of = meta.props.iter().map(|p| self.value(p.name).into_iter().collect()).collect();
-            Ok(Setup { meta, settings, values: Values { types: 1, of }, nktv2p: 1.0 })
+            Ok(Setup { law, settings, values: Values { types: 1, of }, nktv2p: 1.0 })
         };
-        self.metas().map(one).collect()
+        self.entries().map(one).collect()
     }
 
     /// The laws, prepared.
@@ -82,7 +83,7 @@ impl Matter {
     pub fn properties(&self) -> String {
         let mut seen: Vec<&str> = Vec::new();
         let mut out = String::new();
-        for p in self.metas().flat_map(|m| m.props) {
+        for p in self.entries().flat_map(|e| e.meta.props) {
             let Some(value) = self.value(p.name).filter(|_| !seen.contains(&p.name)) else { continue };
             seen.push(p.name);
             let count = if p.shape == Shape::PerPair { "1 " } else { "" };
@@ -94,16 +95,15 @@ impl Matter {
 
     /// Whether LIGGGHTS alone cannot run this: a law that it lacks, or a setting of ours.
     pub fn needs_ours(&self) -> bool {
-        let ours = |name: &str| {
-            self.metas().flat_map(|m| m.settings).any(|s| s.name == name && s.support == Support::OwnOnly)
-        };
-        self.metas().any(|m| m.stock_id.is_none()) || self.settings.iter().any(|(name, _)| ours(name))
+        let ours = |name: &str| self.entries().any(|e| e.support(name) == Support::OwnOnly);
+        self.entries().any(|e| e.liggghts.stock_id.is_none())
+            || self.settings.iter().any(|(name, _)| ours(name))
     }
 
     /// The words of `pair_style gran` or `fix wall/gran` that choose the laws.
     pub fn models(&self, names: Names) -> String {
         let one = |(kind, name): &(Kind, &str)| {
-            let own = names == Names::Own || find(*kind, name).is_some_and(|e| e.meta.stock_id.is_none());
+            let own = names == Names::Own || find(*kind, name).is_some_and(|e| e.liggghts.stock_id.is_none());
             format!("{} {name}{}", kind.keyword(), if own { "/rs" } else { "" })
         };
         self.laws.iter().map(one).collect::<Vec<_>>().join(" ")
@@ -112,8 +112,8 @@ impl Matter {
     /// The words that switch the settings, behind everything else; those that only our own laws have need our names.
     pub fn switches(&self, names: Names) -> String {
         let known = |name: &str| {
-            let settings = || self.metas().flat_map(|m| m.settings);
-            settings().any(|s| s.name == name && (names == Names::Own || s.support != Support::OwnOnly))
+            let has = |e: &Entry| e.meta.settings.iter().any(|s| s.name == name);
+            self.entries().any(|e| has(e) && (names == Names::Own || e.support(name) != Support::OwnOnly))
         };
         let given = self.settings.iter().filter(|(name, _)| known(name));
         given.map(|(name, option)| format!(" {name} {option}")).collect()

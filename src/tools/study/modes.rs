@@ -77,7 +77,7 @@ fn along_normal(kinds: &[Kind], terms: &[Terms]) -> (f64, f64) {
 fn turning(shot: &Shot) -> f64 {
     let [i, j] = shot.bodies();
     let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
-    let size = Size { radi, radj, massi, massj, meff: shot.meff(), is_wall: shot.wall };
+    let size = Size { radi, radj, massi, massj, frozen: [false; 2], meff: shot.meff(), is_wall: shot.wall };
     let (ti, tj) = size.mobilities();
     1.0 / (1.0 / size.meff + radi * radi * ti + radj * radj * tj)
 }

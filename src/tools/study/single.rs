@@ -1,9 +1,9 @@
 //! Velocity Verlet in single precision: the same laws, written over lanes, with `f32` in each.
 use super::matter::Matter;
 use super::shot::{Outcome, Shot};
-use granlaw::lane::dot;
-use granlaw::law::{Body, Call, Kind, LaneLaw, Setup, Size, Stage, Surface};
-use granlaw::laws::{hertz::Hertz, history::History, hooke::Hooke, hooke_hysteresis::HookeHysteresis};
+use granlaw::lane::{dot, Lanes};
+use granlaw::law::{Body, Call, ForLanes, Law, Setup, Size, Slots, Stage, Surface};
+use granlaw::laws::all;
 use nalgebra::Vector3;
 
 /// A law in single precision, its types erased.
@@ -11,36 +11,38 @@ trait Kernel {
     fn touch(&mut self, call: &Call, x: &Surface<f32>, s: &mut Stage<f32>);
 }
 
-struct Prepared<W: LaneLaw> {
-    fit: W::FitOf<f32>,
-    history: W::HistoryOf<f32>,
+struct Prepared<W: Law> {
+    params: <W::Params as Lanes>::Of<f32>,
+    history: <W::History as Lanes>::Of<f32>,
 }
 
-impl<W: LaneLaw> Kernel for Prepared<W> {
+impl<W: Law> Kernel for Prepared<W> {
     fn touch(&mut self, call: &Call, x: &Surface<f32>, s: &mut Stage<f32>) {
-        W::touch_lanes(&self.fit, call, x, &mut self.history, s);
+        W::touch(&self.params, call, x, &mut self.history, s);
     }
 }
 
-fn prepare<W: LaneLaw>(setup: &Setup, size: &Size) -> Option<Box<dyn Kernel>>
-where
-    W::FitOf<f32>: 'static,
-{
-    let coeffs = W::coeffs(&setup.pair(0, 0)).ok()?;
-    let fit = W::side_by_side::<f32>(|_| W::fit_at(&W::fit(&coeffs, size), 0.0));
-    let zeros = vec![0.0f32; W::META.slots.len()];
-    let history = W::HistoryOf::<f32>::try_from(&zeros[..]).ok()?;
-    Some(Box::new(Prepared::<W> { fit, history }))
+/// Makes a kernel of every law over lanes.
+#[derive(Clone, Copy, Debug)]
+struct Single;
+
+impl ForLanes for Single {
+    type Made = fn(&Setup, &Size) -> Option<Box<dyn Kernel>>;
+    fn make<W: Law>() -> Self::Made {
+        |setup, size| {
+            let params = W::params(&W::coeffs(&setup.pair(0, 0)).ok()?, size);
+            let params = W::Params::side_by_side::<f32>(|_| params);
+            Some(Box::new(Prepared::<W> { params, history: W::History::zero::<f32>() }))
+        }
+    }
 }
 
 /// The laws of a chain; `None` if there is one that is not written over lanes.
 fn kernels(matter: &Matter, size: &Size) -> Option<Vec<Box<dyn Kernel>>> {
-    let one = |setup: &Setup| match (setup.meta.kind, setup.meta.keyword) {
-        (Kind::Normal, "hooke") => prepare::<Hooke>(setup, size),
-        (Kind::Normal, "hertz") => prepare::<Hertz>(setup, size),
-        (Kind::Normal, "hooke/hysteresis") => prepare::<HookeHysteresis>(setup, size),
-        (Kind::Tangential, "history") => prepare::<History>(setup, size),
-        _ => None,
+    let one = |setup: &Setup| {
+        let law = setup.law.meta;
+        let entry = all::<Single>().iter().find(|e| (e.meta.kind, e.meta.keyword) == (law.kind, law.keyword));
+        entry?.make(setup)?(setup, size)
     };
     matter.setups().ok()?.iter().map(one).collect()
 }
@@ -79,7 +81,7 @@ pub fn impact(matter: &Matter, shot: &Shot, dt: f64, before: f64) -> Option<Outc
     let start = shot.start(dt, before, 0);
     let [i, j] = start.bodies;
     let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
-    let size = Size { radi, radj, massi, massj, meff: shot.meff(), is_wall: false };
+    let size = Size { radi, radj, massi, massj, frozen: [false; 2], meff: shot.meff(), is_wall: false };
     let mut kernels = kernels(matter, &size).filter(|_| !shot.wall && shot.rest.is_none())?;
     let mut balls = start.bodies.each_ref().map(Ball::new);
     let (call, half) = (Call { dt, step: 1, update: true, ..Call::default() }, (0.5 * dt) as f32);
@@ -109,18 +111,10 @@ fn kick(balls: &mut [Ball; 2], stage: &Stage<f32>, half: f32) {
     balls[1].kick(half, &-stage.force, &stage.torque_j);
 }
 
-/// What the surface model makes of two overlapping spheres.
-fn surface(balls: &[Ball; 2]) -> Option<Surface<f32>> {
-    let [i, j] = balls;
+/// What the surface model makes of two spheres, if they overlap.
+fn surface([i, j]: &[Ball; 2]) -> Option<Surface<f32>> {
     let delta = i.x - j.x;
-    let r = dot(&delta, &delta).sqrt();
-    let deltan = i.radius + j.radius - r;
-    if deltan < 0.0 {
-        return None;
-    }
-    let (en, v) = (delta / r, i.v - j.v);
-    let (cri, crj) = (i.radius - 0.5 * deltan, j.radius - 0.5 * deltan);
-    let vn = dot(&v, &en);
-    let vtr = (v - en * vn) - ((i.omega * cri + j.omega * crj) / r).cross(&delta);
-    Some(Surface { deltan, vn, en, vtr, roll: i.omega - j.omega, cri, crj })
+    let radii = (i.radius, j.radius);
+    let surface = Surface::between(&delta, dot(&delta, &delta), radii, &(i.v - j.v), (&i.omega, &j.omega));
+    (surface.deltan >= 0.0).then_some(surface)
 }

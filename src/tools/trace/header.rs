@@ -1,6 +1,6 @@
 //! The head of a trace: where it comes from, and the laws with their coefficients.
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Kind, LawError, Settings, Setup, Values};
+use granlaw::law::{Body, Kind, LawError, Need, Settings, Setup, Slot, Values};
 use granlaw::laws::{find, LAWS};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -157,9 +157,9 @@ impl LawSpec {
     }
 
     fn setup(&self, types: usize, nktv2p: f64, slots: &[String]) -> Result<Setup, HeaderError> {
-        let entry = self.kind().and_then(|k| find(k, &self.keyword)).expect("laws are looked up first");
-        let meta = entry.meta;
-        let mut settings = Settings::new(meta, self.taken_over);
+        let law = self.kind().and_then(|k| find(k, &self.keyword)).expect("laws are looked up first");
+        let meta = law.meta;
+        let mut settings = Settings::new(law, self.taken_over);
         for (name, option) in &self.settings {
             settings.set(name, option)?;
         }
@@ -174,16 +174,29 @@ impl LawSpec {
             }
             of[k].clone_from(&p.values);
         }
-        let setup = Setup { meta, settings, values: Values { types, of }, nktv2p };
-        let names: Vec<_> = setup.slots().map(|s| s.name).collect();
-        if slots.get(self.offset..self.offset + names.len()).is_none_or(|own| own != names) {
-            let at = self.offset;
+        let setup = Setup { law, settings, values: Values { types, of }, nktv2p };
+        if self.places(&setup, slots).is_none() {
+            let (at, names) = (self.offset, setup.slots().map(|s| s.name).collect::<Vec<_>>());
             return Err(
                 self.wrong(format!("its history ({}) is not at slot {at} of {slots:?}", names.join(", ")))
             );
         }
         setup.check()?;
         Ok(setup)
+    }
+
+    /// Where the slots of the law lie in a row: one behind the other from `offset`; one that a setting adds to a stock law
+    /// lies behind those of all laws.
+    fn places(&self, setup: &Setup, slots: &[String]) -> Option<Vec<usize>> {
+        let mut next = self.offset;
+        let mut place = |s: &Slot| {
+            if slots.get(next).is_some_and(|name| name == s.name) {
+                next += 1;
+                return Some(next - 1);
+            }
+            (s.need != Need::Always).then(|| slots.iter().position(|name| name == s.name)).flatten()
+        };
+        setup.slots().map(&mut place).collect()
     }
 }
 
@@ -210,9 +223,13 @@ impl Header {
         self.laws.iter().map(|l| l.setup(self.types, self.nktv2p, &self.slots)).collect()
     }
 
-    /// Where the history of each law begins in a row.
-    pub fn offsets(&self) -> Vec<usize> {
-        self.laws.iter().map(|l| l.offset).collect()
+    /// Where the slots of each law lie in a row; `setups` are those of [`Header::setups`].
+    ///
+    /// # Panics
+    /// They are not.
+    pub fn history_places(&self, setups: &[Setup]) -> Vec<Vec<usize>> {
+        let of = |(l, s): (&LawSpec, &Setup)| l.places(s, &self.slots).expect("checked with the set-up");
+        self.laws.iter().zip(setups).map(of).collect()
     }
 
     /// The Rust laws, prepared.
@@ -220,7 +237,8 @@ impl Header {
     /// # Errors
     /// As [`Header::setups`].
     pub fn chain(&self) -> Result<Chain, HeaderError> {
-        Ok(Chain::new(&self.setups()?, &self.offsets())?)
+        let setups = self.setups()?;
+        Ok(Chain::new(&setups, &self.history_places(&setups))?)
     }
 
     /// The law that keeps bonds, if there is one.

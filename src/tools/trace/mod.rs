@@ -92,4 +92,16 @@ impl Row {
     pub fn contact(&self) -> Contact {
         Contact { gap: self.gap, surface: self.surface }
     }
+
+    /// Fill in what follows from the columns of a file.
+    fn complete(&mut self) {
+        let Gap { call, i, j, rsq, .. } = &mut self.gap;
+        call.update = self.computeflag != 0 && self.shearupdate != 0;
+        (i.frozen, j.frozen) = (i.mass.is_infinite(), j.mass.is_infinite());
+        self.surface.r = match (self.touch, call.is_wall) {
+            (true, true) => i.radius - self.surface.deltan,
+            (true, false) => rsq.sqrt(),
+            (false, _) => 0.0,
+        };
+    }
 }

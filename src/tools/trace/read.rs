@@ -240,7 +240,7 @@ impl<R: Read> Reader<R> {
             history.resize(self.header.slots.len(), 0.0);
             history.iter_mut().try_for_each(|x| at.number().map(|n| *x = n))?;
         }
-        row.gap.call.update = row.computeflag != 0 && row.shearupdate != 0;
+        row.complete();
         Ok(())
     }
 }

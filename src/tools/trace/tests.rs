@@ -64,11 +64,14 @@ fn row() -> Row {
         v: v(),
         omega: v(),
         given: [v().x],
+        ..Body::default()
     };
     let (i, j) = (body(3, &mut vector), body(-1, &mut vector));
     let gap = Gap { call, i, j, delta: vector(), rsq: vector().x, meff: vector().y };
+    let deltan = vector().x;
     let surface = Surface {
-        deltan: vector().x,
+        r: i.radius - deltan,
+        deltan,
         vn: vector().x,
         en: vector(),
         vtr: vector(),

@@ -1,6 +1,7 @@
 //! Writing a trace, one row at a time.
 use super::columns::{column_names, Cell, COLUMNS};
 use super::{Header, Row, TraceError, END, MARK, VERSION};
+use granlaw::law::Gap;
 use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -119,6 +120,8 @@ impl<W: Write> Writer<W> {
 
     fn write(&mut self, row: &Row) -> csv::Result<()> {
         self.scratch.clone_from(row);
+        let Gap { i, j, .. } = &mut self.scratch.gap;
+        (i.mass, j.mass) = (i.felt_mass(), j.felt_mass());
         for column in COLUMNS {
             match (column.cell)(&mut self.scratch) {
                 Cell::Flag(x) => put(&mut self.out, &mut self.text, format_args!("{}", i32::from(*x)))?,

@@ -6,7 +6,6 @@ use crate::list::List;
 use crate::near::Near;
 use crate::pass::NonFinite;
 use crate::unit::Unit;
-use granlaw::chain::Marks;
 use granlaw::lane::dot;
 use granlaw::law::{Stage, Surface};
 use nalgebra::Vector3;
@@ -304,11 +303,11 @@ impl<L: Unit> Chunk<L> {
 
     /// Set and clear the contact flags, which all contacts must have.
     #[inline(always)]
-    pub fn mark(&self, marks: Marks) {
+    pub fn mark(&self, [set, clear]: [i32; 2]) {
         for flags in &self.flags[..self.n] {
             // SAFETY: LIGGGHTS keeps a flag for each neighbour of a row that has flags.
             let flags = unsafe { &mut **flags };
-            let new = (*flags | marks.set) & !marks.clear;
+            let new = (*flags | set) & !clear;
             if new != *flags {
                 *flags = new;
             }

@@ -177,17 +177,17 @@ fn has_avx512() -> bool {
 /// See [`crate::batch`]. The only place that chooses a unit, after asking the processor for it.
 pub(crate) fn batch(
     setups: &[Setup],
-    offsets: &[usize],
+    places: &[Vec<usize>],
     width: Width,
 ) -> Result<Option<Box<dyn Batch>>, LawError> {
     match width {
-        Width::One => Pass::<f64>::boxed(setups, offsets),
+        Width::One => Pass::<f64>::boxed(setups, places),
         #[cfg(target_arch = "x86_64")]
-        Width::Four if has_avx2() => Pass::<avx2::Avx2>::boxed(setups, offsets),
+        Width::Four if has_avx2() => Pass::<avx2::Avx2>::boxed(setups, places),
         #[cfg(target_arch = "x86_64")]
-        Width::Eight if has_avx512() => Pass::<avx512::Avx512>::boxed(setups, offsets),
-        Width::Four => Pass::<Pack<4>>::boxed(setups, offsets),
-        Width::Eight => Pass::<Pack<8>>::boxed(setups, offsets),
+        Width::Eight if has_avx512() => Pass::<avx512::Avx512>::boxed(setups, places),
+        Width::Four => Pass::<Pack<4>>::boxed(setups, places),
+        Width::Eight => Pass::<Pack<8>>::boxed(setups, places),
     }
 }
 

@@ -255,7 +255,8 @@ impl Scene {
             let body = |k: usize, m: f64| Body {
                 tag: self.tag[k].into(),
                 radius: self.radius[k],
-                mass: if held(k) { f64::INFINITY } else { m },
+                mass: m,
+                frozen: held(k),
                 x: self.x[k].into(),
                 v: self.v[k].into(),
                 omega: self.omega[k].into(),

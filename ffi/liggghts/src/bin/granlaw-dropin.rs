@@ -1,5 +1,5 @@
 //! Writes the model headers for a LIGGGHTS that is built from source; `scripts/dropin.sh` calls it.
-use granlaw::law::{Kind, Meta};
+use granlaw::law::{Entry, Kind, Meta};
 use granlaw::laws::LAWS;
 use std::path::Path;
 use std::process::ExitCode;
@@ -7,7 +7,8 @@ use std::{env, fs, io};
 
 const HEADER: &str = include_str!("../../../capi/include/granlaw.h");
 /// Each needs those before it.
-const PARTS: [&str; 6] = [
+const PARTS: [&str; 7] = [
+    include_str!("../../cpp/creators.hpp"),
     include_str!("../../cpp/mirror.hpp"),
     include_str!("../../cpp/roll.hpp"),
     include_str!("../../cpp/wall.hpp"),
@@ -35,7 +36,7 @@ fn main() -> ExitCode {
 fn write(folder: &Path) -> io::Result<()> {
     fs::write(folder.join("granlaw.h"), HEADER)?;
     fs::write(folder.join("granlaw_dropin.h"), joined())?;
-    LAWS.iter().try_for_each(|e| fs::write(folder.join(file(e.meta)), model(e.meta)))
+    LAWS.iter().try_for_each(|e| fs::write(folder.join(file(e.meta)), model(e)))
 }
 
 /// The parts in one header, without their includes of each other.
@@ -66,8 +67,9 @@ fn file(m: &Meta) -> String {
 }
 
 /// A header as LIGGGHTS's build looks for: its first lines enter the law in the lists of models, the rest is the model.
-fn model(m: &Meta) -> String {
-    let (name, id, class) = (m.called(false), m.id, class(m.kind));
+fn model(e: &Entry) -> String {
+    let m = e.meta;
+    let (name, id, class) = (m.called(false), e.liggghts.id, class(m.kind));
     let kind = m.kind.name().to_uppercase();
     let constant = format!("{kind}_{}", plain(&name).to_uppercase());
     format!(

@@ -47,7 +47,7 @@ impl Lanes {
     /// What a law refuses.
     pub fn new(header: &Header, width: Width) -> Result<Option<Lanes>, LawError> {
         let Ok(setups) = header.setups() else { return Ok(None) };
-        let Some(batch) = batch(&setups, &header.offsets(), width)? else { return Ok(None) };
+        let Some(batch) = batch(&setups, &header.history_places(&setups), width)? else { return Ok(None) };
         let (slots, pairs) = (header.slots.len(), 2 * WAITING);
         Ok(Some(Lanes {
             batch,

@@ -1,11 +1,11 @@
 //! When a bond begins: always, in one time step, or where two atoms carry the same number.
-use super::Fit;
+use super::Params;
 use crate::law::Gap;
 
 /// Whether two bodies bond now; `distance` is what [`super::apart`] makes of r. A distance of 0 has no direction.
-pub fn wanted(f: &Fit, x: &Gap, distance: f64) -> bool {
-    let near = distance > 0.0 && distance < f.c.near;
-    near && x.call.update && (f.c.at.is_none_or(|at| at == x.call.step) || same_number(x))
+pub fn wanted(p: &Params, x: &Gap, distance: f64) -> bool {
+    let near = distance > 0.0 && distance < p.c.near;
+    near && x.call.update && (p.c.at.is_none_or(|at| at == x.call.step) || same_number(x))
 }
 
 /// −∞ where the deck gives no numbers, and then never true.

@@ -11,8 +11,8 @@
 //! In an evaluation that may not write, nothing is carried or added: the stored state gives the answer.
 use super::bend::Disc;
 use super::coeffs::Modes;
-use super::{apart, creation, damping, failure, normal, seen_from, twist, Fit};
-use crate::law::{Gap, Life, Mark, Stage, Terms};
+use super::{apart, creation, damping, failure, normal, seen_from, twist, Params};
+use crate::law::{Effects, Gap, Life, Mark, Stage, Terms};
 use bytemuck::{Pod, Zeroable};
 use nalgebra::Vector3;
 
@@ -71,55 +71,55 @@ struct Motion {
 }
 
 /// One evaluation.
-pub fn act(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
+pub fn act(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
     if h.r0 == 0.0 {
-        return begin(f, x, h, s);
+        return begin(p, x, h, s, e);
     }
     if x.call.update {
-        return hold(f, x, h, s);
+        return hold(p, x, h, s, e);
     }
-    hold(f, x, &mut h.clone(), s);
+    hold(p, x, &mut h.clone(), s, e);
 }
 
 /// A bond that is there; `h` moves on where history may be written.
-fn hold(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
-    let (m, side) = (Motion::new(f, x, h), seen_from(x));
+fn hold(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
+    let (m, side) = (Motion::new(p, x, h), seen_from(x));
     if x.call.update {
-        if failure::torn(f, apart(x, m.r)) || m.out_of_hand() {
-            return end(h, s);
+        if failure::torn(p, apart(x, m.r)) || m.out_of_hand() {
+            return end(h, e);
         }
-        m.advance(f, x.call.dt, h, side);
+        m.advance(p, x.call.dt, h, side);
     }
     let delta = h.r0 - m.r; // (1)
-    let loads = loads(f, delta, h, side);
-    if x.call.update && failure::fails(f, delta, &loads) {
-        return end(h, s);
+    let loads = loads(p, delta, h, side);
+    if x.call.update && failure::fails(p, delta, &loads) {
+        return end(h, e);
     }
-    react(f, x, &m, &loads, s);
-    (s.mark, s.life) = (Mark::Set, Life::Lasts);
+    react(p, x, &m, &loads, s, e);
+    (e.mark, e.life) = (Mark::Set, Life::Lasts);
 }
 
 /// A new bond is at rest, and carries nothing in the evaluation in which it begins.
-fn begin(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
+fn begin(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
     let r = x.rsq.sqrt();
-    if !creation::wanted(f, x, apart(x, r)) {
+    if !creation::wanted(p, x, apart(x, r)) {
         return;
     }
     let from = if x.call.is_wall { x.i.x - x.delta } else { x.delta * seen_from(x) };
     *h = History { r0: r, from: from.into(), ..History::default() };
-    s.replace(Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
-    (s.mark, s.life) = (Mark::Set, Life::Begins);
+    e.replace(s, Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
+    (e.mark, e.life) = (Mark::Set, Life::Begins);
 }
 
 /// A bond that breaks leaves nothing behind, and no force in the evaluation in which it breaks.
-fn end(h: &mut History, s: &mut Stage) {
+fn end(h: &mut History, e: &mut Effects) {
     *h = History::default();
-    (s.mark, s.life) = (Mark::Clear, Life::Ends);
+    (e.mark, e.life) = (Mark::Clear, Life::Ends);
 }
 
 impl Motion {
     /// The motion, with the anchor or D moved on in `now` where history may be written.
-    fn new(f: &Fit, x: &Gap, now: &mut History) -> Motion {
+    fn new(p: &Params, x: &Gap, now: &mut History) -> Motion {
         let (v, dt) = (x.i.v - x.j.v, if x.call.update { x.call.dt } else { 0.0 });
         let (d, moved) = if x.call.is_wall {
             let anchor = Vector3::from(now.from) + x.j.v * dt;
@@ -136,7 +136,7 @@ impl Motion {
         let r = d.norm();
         let (n, middle) = (d / r, d - moved * 0.5);
         let half = middle.normalize();
-        let roll = (x.i.omega * f.arms[0] + x.j.omega * f.arms[1]).cross(&middle);
+        let roll = (x.i.omega * p.arms[0] + x.j.omega * p.arms[1]).cross(&middle);
         // (7); |D̄| n̄ is D̄.
         let sheared = |v: &Vector3<f64>, roll: &Vector3<f64>| flat(&(v - half * v.dot(&half) - roll), &n);
         Motion {
@@ -160,7 +160,7 @@ impl Motion {
     }
 
     /// Carry the stored vectors with the bond and add what this step brings.
-    fn advance(&self, f: &Fit, dt: f64, now: &mut History, side: f64) {
+    fn advance(&self, p: &Params, dt: f64, now: &mut History, side: f64) {
         let (sin, cos) = (self.mean * dt).sin_cos();
         let (sum, scale) = (self.before + self.n, 1.0 / (1.0 + self.before.dot(&self.n)));
         let carry = |stored: [f64; 3]| {
@@ -168,7 +168,7 @@ impl Motion {
             let b = a - sum * (a.dot(&self.n) * scale);
             b * cos + self.n.cross(&b) * sin // (C1)
         };
-        let shear = carry(now.shear) - self.way * (f.c.shear * f.area); // (8)
+        let shear = carry(now.shear) - self.way * (p.c.shear * p.area); // (8)
         let bend = carry(now.bend) + flat(&self.turn, &self.n) * dt;
         let centre = carry(now.centre);
         let mut disc = Disc { centre, rho: now.rho };
@@ -190,12 +190,12 @@ fn widened([max, min]: [f64; 2], x: f64) -> [f64; 2] {
     [x.max(max), x.min(min)]
 }
 
-fn loads(f: &Fit, delta: f64, now: &mut History, side: f64) -> Loads {
-    let c = &f.c;
+fn loads(p: &Params, delta: f64, now: &mut History, side: f64) -> Loads {
+    let c = &p.c;
     now.extremes = widened(now.extremes, delta);
     let [max, min] = now.extremes;
     let mut l = Loads {
-        normal: normal::stress(c, delta, max, min) * f.area,
+        normal: normal::stress(c, delta, max, min) * p.area,
         shear: Vector3::zeros(),
         twist: 0.0,
         bend: Vector3::zeros(),
@@ -205,56 +205,56 @@ fn loads(f: &Fit, delta: f64, now: &mut History, side: f64) -> Loads {
     }
     if c.on.twist {
         let [max, min] = now.twists;
-        l.twist = -f.polar * twist::stress(&c.twist, now.twist, max, min); // (9)
+        l.twist = -p.polar * twist::stress(&c.twist, now.twist, max, min); // (9)
     }
     if c.on.bend {
         let disc = Disc { centre: Vector3::from(now.centre) * side, rho: now.rho };
-        l.bend = disc.stress(&c.bend, &(Vector3::from(now.bend) * side)) * -f.bending;
+        l.bend = disc.stress(&c.bend, &(Vector3::from(now.bend) * side)) * -p.bending;
         // (10)
     }
     l
 }
 
 /// The damped loads on both bodies.
-fn react(f: &Fit, x: &Gap, m: &Motion, l: &Loads, s: &mut Stage) {
-    let (eta, mass) = (&f.c.eta, inertia(f, x, m));
+fn react(p: &Params, x: &Gap, m: &Motion, l: &Loads, s: &mut Stage, e: &mut Effects) {
+    let (eta, mass) = (&p.c.eta, inertia(p, x, m));
     let across = flat(&m.turn, &m.n);
     let fn_ = damping::along(l.normal, eta.normal, m.v.dot(&m.n), mass.normal); // (11)
     let ft = damping::in_plane(l.shear, eta.shear, &m.shear, mass.shear);
     let tn = damping::along(l.twist, eta.twist, m.turn.dot(&m.n), mass.twist); // (12)
     let tt = damping::in_plane(l.bend, eta.bend, &across, mass.bend);
     let (couple, own) = (ft.cross(&m.n) * m.r, m.n * tn + tt);
-    let on_j = if x.call.is_wall { Vector3::zeros() } else { couple * f.arms[1] - own };
-    s.replace(m.n * fn_ + ft, couple * f.arms[0] + own, on_j); // (13)
+    let on_j = if x.call.is_wall { Vector3::zeros() } else { couple * p.arms[1] - own };
+    e.replace(s, m.n * fn_ + ft, couple * p.arms[0] + own, on_j); // (13)
 }
 
 /// The inertia of each mode over 10 Δt; infinite where damping changes sign at once.
-fn inertia(f: &Fit, x: &Gap, m: &Motion) -> Modes<f64> {
+fn inertia(p: &Params, x: &Gap, m: &Motion) -> Modes<f64> {
     let modes = |normal: f64, shear: f64, turn: f64| Modes { normal, shear, twist: turn, bend: turn };
-    if !f.c.smooth {
+    if !p.c.smooth {
         return modes(f64::INFINITY, f64::INFINITY, f64::INFINITY);
     }
     let part = |mass: f64, radius: f64| 1.0 / (0.4 * mass * radius * radius);
-    let other = if x.call.is_wall { 0.0 } else { part(x.j.mass, x.j.radius) };
+    let other = if x.call.is_wall { 0.0 } else { part(x.j.felt_mass(), x.j.radius) };
     let kappa = m.r / if x.call.is_wall { x.i.radius } else { x.i.radius + x.j.radius };
     let scale = 1.0 / (10.0 * x.call.dt);
     modes(
         x.meff * scale,
         x.meff * scale / (1.0 + 2.5 * kappa * kappa),
-        scale / (part(x.i.mass, x.i.radius) + other),
+        scale / (part(x.i.felt_mass(), x.i.radius) + other),
     )
 }
 
 /// What a study wants to know: the normal mode, and the strength that all modes use.
-pub fn observe(f: &Fit, x: &Gap, h: &History) -> Terms {
+pub fn observe(p: &Params, x: &Gap, h: &History) -> Terms {
     let r = if x.call.is_wall { (x.i.x - Vector3::from(h.from)).norm() } else { x.rsq.sqrt() };
     let delta = h.r0 - r;
     let [max, min] = widened(h.extremes, delta);
-    let carried = loads(f, delta, &mut h.clone(), seen_from(x));
+    let carried = loads(p, delta, &mut h.clone(), seen_from(x));
     Terms {
-        branch: normal::branch_name(&f.c, delta, max, min),
-        stiffness: normal::tangent(&f.c, delta, max, min) * f.area,
-        load: failure::used(f, [apart(x, h.r0), apart(x, r)], &carried),
+        branch: normal::branch_name(&p.c, delta, max, min),
+        stiffness: normal::tangent(&p.c, delta, max, min) * p.area,
+        load: failure::used(p, [apart(x, h.r0), apart(x, r)], &carried),
         ..Terms::default()
     }
 }

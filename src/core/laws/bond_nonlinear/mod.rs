@@ -56,7 +56,7 @@ pub struct BondNonlinear;
 
 /// What two sizes decide.
 #[derive(Clone, Copy, Debug)]
-pub struct Fit {
+pub struct Params {
     c: Coeffs,
     /// r_b \[m\].
     radius: f64,
@@ -70,22 +70,15 @@ pub struct Fit {
     arms: [f64; 2],
 }
 
-impl Law for BondNonlinear {
+impl GapLaw for BondNonlinear {
     const META: Meta = Meta {
-        kind: Kind::Cohesion,
-        keyword: "bond/nonlinear",
-        id: 63,
-        stock_id: None,
-        summary: "breakable bond with six-branch normal force, shear, twist and bending",
         props: props::PROPS,
         settings: props::SETTINGS,
         atoms: props::ATOMS,
         slots: props::SLOTS,
-        stress_strain_exponent: 0.0,
         reach: Reach::Beyond,
         anchors: true,
         bonds: Some("bonds"),
-        coarse_graining: false,
         references: &[
             "Open DEM Japan, formula sheet for cohesion_model_bond_nonlinear.h, 29 June 2025",
             "LIGGGHTS-INL, cohesion bond/nonlinear (Y. Xia, Y. Guo, Q. Chen): bondConvention upstream",
@@ -118,10 +111,16 @@ impl Law for BondNonlinear {
                 why: "under bondConvention upstream, as the header leaves the area out of compression",
             },
         ],
+        ..Meta::new(
+            Kind::Cohesion,
+            "bond/nonlinear",
+            "breakable bond with six-branch normal force, shear, twist and bending",
+        )
     };
+    const LIGGGHTS: Binding = Binding::new(63, None);
     type History = [f64];
     type Coeffs = Coeffs;
-    type Fit = Fit;
+    type Params = Params;
 
     fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
         Coeffs::new(p)
@@ -135,40 +134,36 @@ impl Law for BondNonlinear {
         coeffs::remarks(p)
     }
 
-    fn fit(c: &Coeffs, size: &Size) -> Fit {
+    fn params(c: &Coeffs, size: &Size) -> Params {
         let Size { radi, radj, is_wall, .. } = *size;
         let radius = c.lambda * if is_wall { radi } else { radi.min(radj) }; // (2)
         let area = PI * radius * radius; // (3)
         let polar = 0.5 * area * radius * radius;
         let arms = if is_wall { [1.0, 0.0] } else { [radi / (radi + radj), radj / (radi + radj)] };
-        Fit { c: *c, radius, area, polar, bending: 0.5 * polar, arms }
+        Params { c: *c, radius, area, polar, bending: 0.5 * polar, arms }
     }
 
-    fn touch(f: &Fit, x: &Contact, h: &mut [f64], s: &mut Stage) {
-        Self::across(f, &x.gap, h, s);
-    }
-
-    fn across(f: &Fit, x: &Gap, h: &mut [f64], s: &mut Stage) {
+    fn act(p: &Params, x: &Gap, h: &mut [f64], s: &mut Stage, e: &mut Effects) {
         // λ = 0 stands for no bond between these types.
-        if f.area == 0.0 {
+        if p.area == 0.0 {
             return;
         }
-        if f.c.upstream {
-            upstream::act(f, x, Memory::view(h), s);
+        if p.c.upstream {
+            upstream::act(p, x, Memory::view(h), s, e);
         } else {
-            documented::act(f, x, Memory::view(h), s);
+            documented::act(p, x, Memory::view(h), s, e);
         }
     }
 
-    fn swings(f: &Fit, size: &Size, speed: f64) -> Vec<Swing> {
-        swings::of(f, size, speed)
+    fn swings(p: &Params, size: &Size, speed: f64) -> Vec<Swing> {
+        swings::of(p, size, speed)
     }
 
-    fn observe(f: &Fit, x: &Contact, h: &[f64]) -> Terms {
-        if h[0] == 0.0 || f.c.upstream {
+    fn observe(p: &Params, x: &Gap, h: &[f64]) -> Terms {
+        if h[0] == 0.0 || p.c.upstream {
             return Terms { branch: if h[0] == 0.0 { "unbonded" } else { "bonded" }, ..Terms::default() };
         }
-        documented::observe(f, &x.gap, Memory::see(h))
+        documented::observe(p, x, Memory::see(h))
     }
 }
 

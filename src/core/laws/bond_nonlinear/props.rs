@@ -1,5 +1,5 @@
 //! What the law asks for and what it remembers.
-use crate::law::{AtomProp, Need, Prop, Range, Setting, Shape, Slot, Support, Unit};
+use crate::law::{AtomProp, Need, Prop, Range, Setting, Shape, Slot, Unit};
 
 const NONE: Prop = Prop {
     name: "",
@@ -176,10 +176,10 @@ pub const PROPS: &[Prop] = &[
 ];
 
 const fn on(name: &'static str, doc: &'static str) -> Setting {
-    Setting::on(name, Support::Full, doc)
+    Setting::on(name, doc)
 }
 const fn off(name: &'static str, doc: &'static str) -> Setting {
-    Setting::off(name, Support::Full, doc)
+    Setting::off(name, doc)
 }
 
 /// The settings, with the names and defaults of LIGGGHTS-INL; the last is ours.
@@ -198,7 +198,6 @@ pub const SETTINGS: &[Setting] = &[
         name: "bondConvention",
         options: &["documented", "upstream"],
         default: None,
-        support: Support::Full,
         doc: "documented: the published equations, frame-independent, all forces per bond area (K_fn1 in N/m^2.5); \
               upstream: the numbers of LIGGGHTS-INL's header, faults included, compression without the area (K_fn1 in N/m^0.5)",
     },

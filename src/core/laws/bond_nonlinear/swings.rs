@@ -8,43 +8,43 @@
 //!
 //! Shear pulls at levers, so where the two bodies differ it swings together with bending:
 //! `ω² = ½(a + b ± √((a−b)² + 4 d² Ks Kb))`, a and b the ω² of each alone, `d = r_ci/Ii − r_cj/Ij`.
-use super::Fit;
+use super::Params;
 use crate::law::{Size, Swing};
 
 /// All modes that have a stiffness.
-pub fn of(f: &Fit, size: &Size, speed: f64) -> Vec<Swing> {
-    let (c, m) = (&f.c, size.meff);
+pub fn of(p: &Params, size: &Size, speed: f64) -> Vec<Swing> {
+    let (c, m) = (&p.c, size.meff);
     let swing = |name, stiffness, mass| Swing { name, turns: false, stiffness, mass };
     let turn = |name, stiffness, mass| Swing { turns: true, ..swing(name, stiffness, mass) };
     let mut all = Vec::new();
-    let per = if c.upstream { 1.0 } else { f.area };
-    if c.on.normal && f.area > 0.0 {
+    let per = if c.upstream { 1.0 } else { p.area };
+    if c.on.normal && p.area > 0.0 {
         let deepest = (0.75 * m * speed * speed / (per * c.compression.k)).powf(2.0 / 3.0);
         let steep = 0.5 * per * c.compression.ku / deepest.sqrt();
         all.push(swing("compression", (1.0 + c.eta.normal) * steep, m));
     }
     if c.on_tension {
-        all.push(swing("tension", (1.0 + c.eta.normal) * f.area * c.tension.ku, m));
+        all.push(swing("tension", (1.0 + c.eta.normal) * p.area * c.tension.ku, m));
     }
     let (ti, tj) = size.mobilities();
     if c.on.twist {
-        all.push(turn("twist", (1.0 + c.eta.twist) * f.polar * c.twist.ku, 1.0 / (ti + tj)));
+        all.push(turn("twist", (1.0 + c.eta.twist) * p.polar * c.twist.ku, 1.0 / (ti + tj)));
     }
-    let shear = if c.on.shear { (1.0 + c.eta.shear) * f.area * c.shear } else { 0.0 };
-    let bend = if c.on.bend { (1.0 + c.eta.bend) * f.bending * c.bend.ku } else { 0.0 };
-    let [ms, mb] = sideways(f, size, shear, bend);
+    let shear = if c.on.shear { (1.0 + c.eta.shear) * p.area * c.shear } else { 0.0 };
+    let bend = if c.on.bend { (1.0 + c.eta.bend) * p.bending * c.bend.ku } else { 0.0 };
+    let [ms, mb] = sideways(p, size, shear, bend);
     all.extend([swing("shear", shear, ms), turn("bending", bend, mb)]);
     all.retain(|s| s.stiffness > 0.0 && s.stiffness.is_finite());
     all
 }
 
 /// What shear and bending move, each with the other \[kg, kg m²\].
-fn sideways(f: &Fit, size: &Size, shear: f64, bend: f64) -> [f64; 2] {
-    let r = if size.is_wall { 0.5 * f.c.near } else { f.c.near };
+fn sideways(p: &Params, size: &Size, shear: f64, bend: f64) -> [f64; 2] {
+    let r = if size.is_wall { 0.5 * p.c.near } else { p.c.near };
     let (ti, tj) = size.mobilities();
-    let [ci, cj] = f.arms.map(|a| a * r);
+    let [ci, cj] = p.arms.map(|a| a * r);
     // The header moves the surface of a wall bond by half the spin.
-    let seen = if f.c.upstream && size.is_wall { 0.5 } else { 1.0 };
+    let seen = if p.c.upstream && size.is_wall { 0.5 } else { 1.0 };
     let light = [1.0 / size.meff + seen * (ci * ci * ti + cj * cj * tj), ti + tj];
     let [a, b] = [shear * light[0], bend * light[1]];
     let d = ci * ti - cj * tj;

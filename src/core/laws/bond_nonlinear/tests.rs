@@ -5,15 +5,16 @@ use super::{normal, twist, BondNonlinear};
 use crate::law::*;
 use nalgebra::Vector3;
 
+static LAW: Entry = Entry::gap_law::<BondNonlinear>();
+
 /// Sound values by name; settings at their defaults, documented unless said otherwise.
 fn setup(values: &[(&str, f64)], settings: &[(&str, &str)]) -> Setup {
-    let meta = &BondNonlinear::META;
-    let mut chosen = Settings::new(meta, false);
+    let mut chosen = Settings::new(&LAW, false);
     chosen.set("bondConvention", "documented").unwrap();
     settings.iter().for_each(|(name, option)| chosen.set(name, option).unwrap());
     let value = |p: &Prop| values.iter().find(|(name, _)| *name == p.name).map_or(p.usual.0, |(_, v)| *v);
-    let of = meta.props.iter().map(|p| vec![value(p)]).collect();
-    Setup { meta, settings: chosen, values: Values { types: 1, of }, nktv2p: 1.0 }
+    let of = LAW.meta.props.iter().map(|p| vec![value(p)]).collect();
+    Setup { law: &LAW, settings: chosen, values: Values { types: 1, of }, nktv2p: 1.0 }
 }
 
 fn coeffs(values: &[(&str, f64)], settings: &[(&str, &str)]) -> Result<Coeffs, LawError> {
@@ -198,7 +199,7 @@ fn what_makes_no_sense_is_refused_in_words() {
     let message = why(&[("tsCreateBondnonlinear", 0.0)], &[]);
     assert!(message.contains("at least 1: step 0 only sets the run up"), "{message}");
     assert!(coeffs(&[("tsCreateBondnonlinear", 0.0)], &[("bondConvention", "upstream")]).is_ok());
-    let unchosen = Setup { settings: Settings::new(&BondNonlinear::META, false), ..setup(&[], &[]) };
+    let unchosen = Setup { settings: Settings::new(&LAW, false), ..setup(&[], &[]) };
     let message = unchosen.check().unwrap_err().to_string();
     assert!(
         message.contains("bondConvention must be given, one of documented, upstream: documented: "),

@@ -10,9 +10,9 @@
 //!
 //! Extremes keep their sign when i and j change places while the angles turn: right in serial runs only, as there.
 use super::coeffs::{Breaks, Line};
-use super::{apart, creation, seen_from, Fit};
+use super::{apart, creation, seen_from, Params};
 use crate::lane::{dot, norm};
-use crate::law::{Gap, Life, Mark, Stage};
+use crate::law::{Effects, Gap, Life, Mark, Stage};
 use bytemuck::{Pod, Zeroable};
 use nalgebra::Vector3;
 
@@ -50,32 +50,32 @@ struct Motion {
 }
 
 /// One evaluation.
-pub fn act(f: &Fit, x: &Gap, h: &mut History, s: &mut Stage) {
+pub fn act(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
     let r = x.rsq.sqrt();
-    s.life = Life::Lasts;
+    e.life = Life::Lasts;
     if h.r0 == 0.0 {
-        s.life = Life::None;
-        if !creation::wanted(f, x, apart(x, r)) {
+        e.life = Life::None;
+        if !creation::wanted(p, x, apart(x, r)) {
             return;
         }
         let kept = *h;
         *h = History { r0: r, from: (x.i.x - x.delta).into(), ..kept };
         (h.shear, h.twist, h.bend) = ([0.0; 3], [0.0; 3], [0.0; 3]);
-        s.life = Life::Begins;
+        e.life = Life::Begins;
     } else if x.call.is_wall && x.call.update {
         h.from = (Vector3::from(h.from) + x.j.v * x.call.dt).into();
     }
     let m = Motion::new(x, h);
-    if x.call.update && matches!(f.c.breaks, Breaks::Distance(max) if m.r > max) {
-        return end(h, s);
+    if x.call.update && matches!(p.c.breaks, Breaks::Distance(max) if m.r > max) {
+        return end(h, e);
     }
-    s.mark = Mark::Set;
-    evaluate(f, x, &m, h, s);
+    e.mark = Mark::Set;
+    evaluate(p, x, &m, h, s, e);
 }
 
-fn end(h: &mut History, s: &mut Stage) {
+fn end(h: &mut History, e: &mut Effects) {
     h.r0 = 0.0;
-    (s.mark, s.life) = (Mark::Clear, Life::Ends);
+    (e.mark, e.life) = (Mark::Clear, Life::Ends);
 }
 
 impl Motion {
@@ -103,28 +103,28 @@ fn projected(a: &Vector3<f64>, n: &Vector3<f64>) -> Vector3<f64> {
     unit * dot(a, &unit)
 }
 
-fn evaluate(f: &Fit, x: &Gap, m: &Motion, h: &mut History, s: &mut Stage) {
-    let (c, dt, side) = (&f.c, x.call.dt, seen_from(x));
+fn evaluate(p: &Params, x: &Gap, m: &Motion, h: &mut History, s: &mut Stage, e: &mut Effects) {
+    let (c, dt, side) = (&p.c, x.call.dt, seen_from(x));
     let zero = Vector3::zeros();
     let delta = h.r0 - m.r;
-    let normal = m.n * normal_force(f, delta, &mut h.extremes);
+    let normal = m.n * normal_force(p, delta, &mut h.extremes);
     let old = Vector3::from(h.shear) * side;
     let (mut shear, mut twist, mut bend) = (old, Vector3::from(h.twist) * side, Vector3::from(h.bend) * side);
     let (mut twisting, mut bending) = (zero, zero);
     if c.on.shear {
-        shear = (old - projected(&old, &m.n)) - m.shear * (c.shear * f.area * dt);
+        shear = (old - projected(&old, &m.n)) - m.shear * (c.shear * p.area * dt);
     }
     if c.on.twist {
         twist += m.twist * dt;
-        twisting = torques(&c.twist, f.polar, &twist, &mut h.twist_max, &mut h.twist_min);
+        twisting = torques(&c.twist, p.polar, &twist, &mut h.twist_max, &mut h.twist_min);
     }
     if c.on.bend {
         bend += m.bend * dt;
-        bending = torques(&c.bend, f.bending, &bend, &mut h.bend_max, &mut h.bend_min);
+        bending = torques(&c.bend, p.bending, &bend, &mut h.bend_max, &mut h.bend_min);
     }
-    let broken = fails(f, delta, [&normal, &shear, &twisting, &bending]);
+    let broken = fails(p, delta, [&normal, &shear, &twisting, &bending]);
     if broken && x.call.update {
-        return end(h, s);
+        return end(h, e);
     }
     if x.call.update {
         (h.shear, h.twist, h.bend) = ((shear * side).into(), (twist * side).into(), (bend * side).into());
@@ -137,28 +137,28 @@ fn evaluate(f: &Fit, x: &Gap, m: &Motion, h: &mut History, s: &mut Stage) {
     let tt = damped(&bending, c.eta.bend, &m.bend, None);
     let arm = ft.cross(&m.n);
     if x.call.is_wall {
-        return s.replace(fn_ + ft, arm * m.r + tn + tt, zero);
+        return e.replace(s, fn_ + ft, arm * m.r + tn + tt, zero);
     }
     let sum = 1.0 / (x.i.radius + x.j.radius);
     let (cri, crj) = (m.r * x.i.radius * sum, m.r * x.j.radius * sum);
-    s.replace(fn_ + ft, arm * cri + tn + tt, arm * crj - tn - tt);
+    e.replace(s, fn_ + ft, arm * cri + tn + tt, arm * crj - tn - tt);
 }
 
 /// F_n \[N\]. Branch 1 of (6) gives way to branch 2, as the extreme is moved first; and the extreme of the side that
 /// δ is not on is forgotten.
-fn normal_force(f: &Fit, delta: f64, [max, min]: &mut [f64; 2]) -> f64 {
-    let (press, pull) = (&f.c.compression, &f.c.tension);
+fn normal_force(p: &Params, delta: f64, [max, min]: &mut [f64; 2]) -> f64 {
+    let (press, pull) = (&p.c.compression, &p.c.tension);
     let (largest, smallest) = (max.max(delta), min.min(delta));
     *max = if delta < 0.0 { 0.0 } else { largest };
     *min = if delta > 0.0 { 0.0 } else { smallest };
-    if !(f.c.on_tension && delta < -DEADBAND || f.c.on.normal && delta > DEADBAND) {
+    if !(p.c.on_tension && delta < -DEADBAND || p.c.on.normal && delta > DEADBAND) {
         return 0.0;
     }
     match () {
         _ if delta < pull.left * smallest => {
-            pull.ku * f.area * delta + (pull.k - pull.ku) * f.area * smallest
+            pull.ku * p.area * delta + (pull.k - pull.ku) * p.area * smallest
         }
-        _ if delta < 0.0 => -pull.kc * f.area * delta,
+        _ if delta < 0.0 => -pull.kc * p.area * delta,
         _ if delta < press.left * press.left * largest => -press.kc * delta.sqrt(),
         _ if delta < largest => press.ku * delta.sqrt() + (press.k - press.ku) * largest.sqrt(),
         _ => press.k * delta.sqrt(),
@@ -205,9 +205,9 @@ fn damped(load: &Vector3<f64>, eta: f64, v: &Vector3<f64>, smooth: Option<(f64, 
     })
 }
 
-fn fails(f: &Fit, delta: f64, [normal, shear, twist, bend]: [&Vector3<f64>; 4]) -> bool {
-    let Breaks::Stress { sigma, tau, ratio } = f.c.breaks else { return false };
+fn fails(p: &Params, delta: f64, [normal, shear, twist, bend]: [&Vector3<f64>; 4]) -> bool {
+    let Breaks::Stress { sigma, tau, ratio } = p.c.breaks else { return false };
     let limit = if delta < -DEADBAND { ratio * sigma } else { sigma };
-    limit < norm(normal) / f.area + norm(bend) * f.radius / f.bending
-        || tau < norm(shear) / f.area + norm(twist) * f.radius / f.polar
+    limit < norm(normal) / p.area + norm(bend) * p.radius / p.bending
+        || tau < norm(shear) / p.area + norm(twist) * p.radius / p.polar
 }

@@ -7,7 +7,7 @@ use super::cases::{Case, Measure};
 use crate::study::bond::{Bond, LAMBDA, MODES};
 use crate::study::shot::Shot;
 use crate::study::tied::{whole, Tied, Way};
-use granlaw::law::Size;
+use granlaw::law::Gap;
 use std::f64::consts::PI;
 
 const SHOT: Shot = Shot::head_on(0.005, 2500.0, 0.2);
@@ -97,8 +97,7 @@ pub(super) fn closed_form(case: &Case) -> Option<(f64, f64)> {
     let area = PI * (LAMBDA * i.radius).powi(2);
     let meff = case.shot.meff();
     if case.measure == Measure::Spin {
-        let size =
-            Size { radi: i.radius, radj: j.radius, massi: i.mass, massj: j.mass, meff, is_wall: false };
+        let size = Gap { i, j, meff, ..Gap::default() }.size();
         let (ti, tj) = size.mobilities();
         // I = ¼ A r_b².
         let stiffness = 0.25 * area * (LAMBDA * i.radius).powi(2) * K[4];

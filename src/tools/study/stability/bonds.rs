@@ -6,7 +6,7 @@ use crate::study::matter::Matter;
 use crate::study::shot::{Rest, Shot};
 use crate::study::tied::{beads, Tied, Way};
 use granlaw::critical::Mode;
-use granlaw::law::{Size, Swing};
+use granlaw::law::{Gap, Size, Swing};
 
 const SHOT: Shot = Shot::head_on(5e-4, 2500.0, 0.1);
 /// Between surfaces where bonds begin \[m\]; no swing of these fields closes it.
@@ -42,7 +42,7 @@ fn swings(matter: &Matter, shot: &Shot, speed: f64) -> Vec<Swing> {
     let all = beads(shot, &shot.tied.expect("a row"));
     let (i, j) = (&all[0], &all[1]);
     let meff = i.mass * j.mass / (i.mass + j.mass);
-    let size = Size { radi: i.radius, radj: j.radius, massi: i.mass, massj: j.mass, meff, is_wall: false };
+    let size = Gap { i: *i, j: *j, meff, ..Gap::default() }.size();
     matter.chain().expect("a sound bond").swings((0, 0), &size, speed)
 }
 
@@ -75,7 +75,8 @@ fn hanging(eta: f64, smooth: bool) -> Row {
     let straight = straight.with("maxDistanceBondnonlinear", 2.0 * SHOT.radius + 1.5 * GAP);
     let shot = Shot { tied: Some(Tied { gap: 0.5 * GAP, beads: 2, way: Way::Along }), ..shot };
     let (m, gravity) = (shot.meff(), 1e3);
-    let size = Size { radi: shot.radius, radj: 0.0, massi: m, massj: 0.0, meff: m, is_wall: true };
+    let frozen = [false; 2];
+    let size = Size { radi: shot.radius, radj: 0.0, massi: m, massj: 0.0, frozen, meff: m, is_wall: true };
     let swing = straight.chain().expect("a sound bond").swings((0, 0), &size, 1.0)[0];
     let mode = Mode::from(swing);
     let sunk = m * gravity * (1.0 + eta) / swing.stiffness;
