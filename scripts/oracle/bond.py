@@ -2,7 +2,7 @@
 """Oracle for `cohesion bond/nonlinear`, convention documented: the law sheet in arbitrary precision.
 
 Written from the equations alone, without the Rust code. Prescribes the motion of two bodies, rounds it to doubles, and
-works out forces and torques with 50 digits. `tests/bond_oracle.rs` holds the Rust law against the files it writes.
+works out forces and torques with 50 digits. `tests/laws/bond/oracle.rs` holds the Rust law against the files it writes.
 
     pip install mpmath
     scripts/oracle/bond.py reference_data/bond      # writes oracle_<case>.csv

@@ -1,6 +1,6 @@
 //! The batched pass against one contact after the other: random chains, particles and neighbour lists, every width, every
 //! bit of force, torque, history and flag.
-#[path = "../../../tests/laws/recipe.rs"]
+#[path = "../../../tests/laws/universal/recipe.rs"]
 #[allow(dead_code)]
 mod recipe;
 #[path = "bits/scene.rs"]

@@ -1,0 +1,7 @@
+//! The tools on top of the laws, each on input made here: no LIGGGHTS, no compiler, no program of ours.
+mod advise;
+mod probe;
+mod readme;
+mod report;
+mod shadow;
+mod study;
