@@ -1,8 +1,8 @@
 //! Which classes of contacts count, and what they are called.
+use super::group::{Contacts, Group};
 use super::held::Held;
 use super::lived::Rebound;
 use super::rules::{COVERED, IMPORTANT};
-use super::scene::{Contacts, Group};
 use crate::probe::{self, Class, Drawn, Impact, Pressed, TypePair};
 
 /// Leaves the classes that count: those with a share of their own, and the next larger ones as far as they are needed to

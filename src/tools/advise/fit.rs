@@ -1,7 +1,8 @@
 //! Fitting the properties that stand for an effect, so that another law does on these contacts what the present one does.
 use super::change::FITTED;
 use super::errors::Errors;
-use super::scene::{Group, Scene};
+use super::group::Group;
+use super::scene::Scene;
 use crate::trace::{Header, HeaderError};
 use granlaw::laws::prop;
 

@@ -1,9 +1,10 @@
 //! Advice held to contacts that it was not made from: those of another run of the scene.
 use super::errors::Errors;
+use super::group::Contacts;
 use super::ladder::{trial, Rung};
+use super::options::Options;
 use super::rules::HELD_OUT;
-use super::scene::{Contacts, Scene};
-use super::Options;
+use super::scene::Scene;
 use crate::trace::HeaderError;
 use serde::Serialize;
 

@@ -1,10 +1,11 @@
 //! The ladder of models: what each leaves out, how wrong that is, the largest step that it bears, and what it costs.
 use super::change::{simpler, Change};
+use super::cost;
 use super::errors::{Errors, Sure};
 use super::fit::fit;
+use super::options::Options;
 use super::rules::{sure, CRITICAL, LARGER, SMALLER};
 use super::scene::Scene;
-use super::{cost, Options};
 use crate::trace::{Header, HeaderError};
 use granlaw::law::Kind;
 use serde::Serialize;

@@ -10,13 +10,18 @@ mod classes;
 mod cost;
 mod errors;
 mod fit;
+mod found;
 pub mod fresh;
+mod group;
 pub mod held;
 mod ladder;
 mod lines;
 pub mod lived;
+mod options;
+mod pace;
 mod page;
 mod rank;
+mod reasons;
 pub mod rewrite;
 pub mod rules;
 mod scene;
@@ -24,83 +29,21 @@ pub mod seeds;
 mod text;
 
 pub use change::Change;
-pub use cost::Pace;
 pub use errors::Errors;
+pub use found::{Advice, Found};
+pub use group::{Contacts, Group};
 pub use ladder::{Rung, Trial};
 pub use lines::Line;
+pub use options::Options;
+pub use pace::Pace;
 pub use page::page;
 pub use rank::{rank, Term};
-pub use scene::{Contacts, Group, Scene};
+pub use scene::Scene;
 pub use text::text;
 
 use crate::probe::Probe;
 use crate::trace::HeaderError;
-use serde::Serialize;
 use thiserror::Error;
-
-/// What is asked for.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Options {
-    /// Largest error of restitution (absolute), contact time (relative) and spin (over the impact speed), of every
-    /// important class; under a load, of overlap (square root over R*), of shear force and attraction (over the load) and of torque
-    /// (over load times R*).
-    pub accuracy: f64,
-    /// How many times less closely contact times are asked for; 1 as closely.
-    pub time: f64,
-}
-
-impl Default for Options {
-    fn default() -> Options {
-        Options { accuracy: rules::ACCURACY, time: 1.0 }
-    }
-}
-
-/// What was found.
-#[derive(Debug, Serialize)]
-pub struct Advice {
-    /// File name of the deck.
-    pub deck: String,
-    /// Time step of the run \[s\].
-    pub dt: f64,
-    /// What was asked for.
-    pub options: Options,
-    /// What each term contributes, the largest first.
-    pub terms: Vec<Term>,
-    /// The classes of contacts that were lived through again.
-    pub groups: Vec<Group>,
-    /// Share of impacts, and of the momentum of all contacts, that they stand for, where changes are tried.
-    pub covered: (f64, f64),
-    /// Laws that act across gaps, in words with what was measured of them.
-    pub untried: Vec<String>,
-    /// The models on trial; the first is the deck as it is.
-    pub ladder: Vec<Rung>,
-    /// The one that is recommended, by its place; `None` if not even the deck's own is good enough in any step.
-    pub chosen: Option<usize>,
-    /// Lines for the deck.
-    pub lines: Vec<Line>,
-    /// Why, in sentences with numbers.
-    pub reasons: Vec<String>,
-}
-
-/// Advice, with what came of holding it to the scene.
-#[derive(Debug, Serialize)]
-pub struct Found {
-    /// The advice.
-    pub advice: Advice,
-    /// The deck and the advised deck in full.
-    pub check: Option<check::Check>,
-    /// Contacts of another run.
-    pub fresh: Option<fresh::Fresh>,
-}
-
-impl Found {
-    /// Whether there is advice, and it holds wherever it was held to something.
-    pub fn holds(&self) -> bool {
-        self.advice.chosen.is_some()
-            && self.check.as_ref().is_none_or(check::Check::holds)
-            && self.fresh.as_ref().is_none_or(fresh::Fresh::holds)
-    }
-}
 
 /// Why there is no advice.
 #[derive(Debug, Error)]
@@ -164,7 +107,7 @@ pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), Advice
         lines,
         reasons: Vec::new(),
     };
-    advice.reasons = lines::reasons(&advice);
+    advice.reasons = reasons::reasons(&advice);
     Ok((advice, scene))
 }
 

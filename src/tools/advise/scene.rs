@@ -1,51 +1,19 @@
 //! What of a probe is lived through again: its important classes of contacts, and what the present chain makes of them.
 use super::classes::{counting, Sums};
-use super::cost::Pace;
 use super::errors::{astray, wrong, Errors, Sure};
+use super::group::{Contacts, Group};
 use super::held::{hold, Held};
 use super::lived::{self, Rebound};
+use super::pace::Pace;
 use super::rules::{FINE, PHASES, STUCK};
 use crate::probe::{Impact, Pressed, Probe};
 use crate::trace::{Header, HeaderError};
 use granlaw::chain::Chain;
 use granlaw::law::Reach;
 use rayon::prelude::*;
-use serde::Serialize;
 
 /// Contacts of each class that a fit is made on; it is judged on all.
 const FEW: usize = 3;
-
-/// A class of contacts that is lived through again.
-#[derive(Clone, Debug, Serialize)]
-pub struct Group {
-    /// Which contacts, in words.
-    pub name: String,
-    /// The chain that they belong to.
-    pub chain: usize,
-    /// Atom types from 1, the lower first.
-    pub types: [usize; 2],
-    /// Share of all impacts; 0 for loads.
-    pub count: f64,
-    /// The share that it may have in another run: contacts are drawn, and their number is off by its root.
-    #[serde(skip)]
-    pub likely: f64,
-    /// Share of the momentum exchanged along normals by all contacts.
-    pub impulse: f64,
-    /// Share of the work that all contacts took out of the motion.
-    pub dissipated: f64,
-    /// The contacts, with what the present chain makes of them in very small steps.
-    #[serde(skip)]
-    pub contacts: Contacts,
-}
-
-/// The contacts of a class.
-#[derive(Clone, Debug)]
-pub enum Contacts {
-    /// Impacts.
-    Impacts(Vec<(Impact, Rebound)>),
-    /// Loads.
-    Loads(Vec<(Pressed, Held)>),
-}
 
 /// What is lived through again, and how.
 #[derive(Clone, Debug)]
