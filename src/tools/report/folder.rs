@@ -1,5 +1,5 @@
 //! The report folder: written beside its final place, then put there whole.
-use super::{csv::Csv, html::Html, json, json::Json, junit::Junit, markdown::Markdown, Report};
+use super::Report;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -10,8 +10,6 @@ pub trait Writer {
     fn write(&self, report: &Report, dir: &Path) -> Result<(), ReportError>;
 }
 
-const WRITERS: [&dyn Writer; 5] = [&Html, &Markdown, &Json, &Junit, &Csv];
-
 /// A kind of folder: what its writers leave in it, where anything else belongs to someone else, and how its
 /// `report.json` begins.
 pub(super) struct Kind {
@@ -19,12 +17,6 @@ pub(super) struct Kind {
     pub format: &'static str,
     pub what: &'static str,
 }
-
-const REPORT: Kind = Kind {
-    ours: &["index.html", "report.md", "report.json", "junit.xml", "csv"],
-    format: json::FORMAT,
-    what: "report",
-};
 
 /// Why a report was not written.
 #[derive(Debug, thiserror::Error)]
@@ -56,13 +48,6 @@ impl ReportError {
     pub(super) fn io(path: &Path, source: io::Error) -> Self {
         ReportError::Io { path: path.into(), source }
     }
-}
-
-/// Writes all formats into the folder `dir`, which appears only when everything in it is complete.
-///
-/// An earlier report of ours is replaced; any other folder that is not empty is refused and left as it is.
-pub fn write_all(report: &Report, dir: &Path) -> Result<(), ReportError> {
-    place(dir, &REPORT, |fresh| WRITERS.iter().try_for_each(|w| w.write(report, fresh)))
 }
 
 /// Lets `write` fill a fresh folder and puts that in the place of `dir`.
@@ -102,11 +87,6 @@ pub(super) fn place(
 /// Writes one file.
 pub(super) fn save(path: &Path, content: &str) -> Result<(), ReportError> {
     fs::write(path, content).map_err(|e| ReportError::io(path, e))
-}
-
-/// Says early, before hours of runs, whether [`write_all`] would refuse this folder.
-pub fn check_target(dir: &Path) -> Result<(), ReportError> {
-    REPORT.check(dir)
 }
 
 impl Kind {

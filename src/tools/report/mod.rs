@@ -11,15 +11,18 @@ mod html;
 mod json;
 mod junit;
 mod markdown;
+mod numbers;
 pub mod page;
 mod plot;
 mod summary;
 mod text;
+mod write;
 
 pub(crate) use text::rough;
 
-pub use folder::{check_target, write_all, ReportError, Writer};
+pub use folder::{ReportError, Writer};
 use serde::Serialize;
+pub use write::{check_target, write_all};
 
 /// What `granlaw verify` found, case by case.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -68,7 +71,7 @@ pub struct Case {
     /// Contact calls that were compared.
     pub calls: u64,
     /// Wall-clock time of the case \[s\].
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub seconds: f64,
     /// What LIGGGHTS said, kept when a run failed.
     pub log: Option<String>,
@@ -86,7 +89,7 @@ pub struct Parameter {
     /// `scalar`, `per type` or `per type pair`.
     pub shape: String,
     /// The values, row by row.
-    #[serde(serialize_with = "json::numbers")]
+    #[serde(serialize_with = "numbers::numbers")]
     pub values: Vec<f64>,
 }
 
@@ -137,7 +140,7 @@ pub enum Outcome {
 #[derive(Clone, Debug, Serialize)]
 pub struct Tolerance {
     /// The limit; 0 means identical to the last bit.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub limit: f64,
     /// Why this limit and no other.
     pub reason: String,
@@ -151,13 +154,13 @@ pub struct Worst {
     /// What was compared there, for instance `f_i.x of 1-2`.
     pub what: String,
     /// The answer on trial.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub got: f64,
     /// The answer it is held against.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub expected: f64,
     /// The error in the norm of the check.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub error: f64,
     /// The norm, for instance `relative to the peak force`.
     pub norm: String,

@@ -10,7 +10,7 @@ mod html;
 
 pub use files::{check_page_target, write_page};
 
-use super::{json, About, Check};
+use super::{numbers, About, Check};
 use serde::Serialize;
 
 /// A document.
@@ -73,7 +73,7 @@ pub enum Cell {
     /// Words.
     Text(String),
     /// A number, shown to three digits.
-    Number(#[serde(serialize_with = "json::number")] f64),
+    Number(#[serde(serialize_with = "numbers::number")] f64),
     /// A whole number.
     Count(u64),
 }
@@ -149,13 +149,13 @@ pub struct Mark {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Spread {
     /// The number.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub at: f64,
     /// Lower end.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub low: f64,
     /// Upper end.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub high: f64,
 }
 
@@ -195,7 +195,7 @@ pub struct Scale {
     /// The quantity with its unit.
     pub label: String,
     /// The middles.
-    #[serde(serialize_with = "json::numbers")]
+    #[serde(serialize_with = "numbers::numbers")]
     pub values: Vec<f64>,
     /// Whether they are evenly spaced in their logarithm.
     pub log: bool,
