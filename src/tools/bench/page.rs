@@ -1,5 +1,5 @@
 //! The document of a benchmark.
-use super::{Options, Scene, Side, Timed};
+use super::scene::{quartiles, Options, Scene, Side, Timed};
 use crate::liggghts::{Host, Plugin};
 use crate::report::page::{Bars, Cell, Group, Item, Page, Section, Spread, Table};
 use crate::report::{About, Check, Outcome, Shows, Tolerance};
@@ -161,7 +161,7 @@ fn long(scenes: &[Scene]) -> Table {
         "dump",
     ];
     let row = |scene: &Scene, timed: &Timed| {
-        let median = |v: &[f64]| number(super::quartiles(v.iter().copied()));
+        let median = |v: &[f64]| number(quartiles(v.iter().copied()));
         let mut row =
             vec![scene.name.clone().into(), Cell::Count(scene.ranks as u64), timed.side.to_string().into()];
         row.extend([median(&timed.pair), median(&timed.whole), number(scene.per_contact(timed))]);

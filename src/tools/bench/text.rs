@@ -1,6 +1,6 @@
 //! A scene on the terminal.
 use super::page::word;
-use super::{quartiles, Scene, Side};
+use super::scene::{quartiles, Scene, Side};
 use crate::report::page::Spread;
 use crate::report::Outcome;
 
