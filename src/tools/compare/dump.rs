@@ -1,5 +1,5 @@
 //! LIGGGHTS's text dumps (`dump ... custom`).
-use super::CompareError;
+use super::error::CompareError;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
