@@ -1,5 +1,5 @@
 //! Contacts kept as they were, a few of every class, so that they can be lived through again.
-use super::Call;
+use super::call::Call;
 use granlaw::law::Contact;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};

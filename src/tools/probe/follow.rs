@@ -1,8 +1,9 @@
 //! Following the contacts of one chain on one rank.
+use super::call::Call;
+use super::contacts::Contacts;
 use super::live::{Live, Over};
 use super::tally::{Fastest, LawShare, TypePair};
 use super::work::Motion;
-use super::{Call, Contacts};
 use crate::trace::Header;
 use granlaw::chain::Chain;
 use granlaw::law::{Contact, Gap, Kind, Reach, Stage};

@@ -1,5 +1,5 @@
 //! The particles of a scene by type: what limits the time step before any of them has touched.
-use super::Particles;
+use super::particles::Particles;
 use granlaw::law::Size;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;

@@ -1,8 +1,8 @@
 //! A contact while it lasts.
+use super::call::Call;
 use super::examples::{self, Drawn, Impact, Partners, Pressed};
 use super::tally::TypePair;
 use super::work::Motion;
-use super::Call;
 
 /// Longer than this many half periods of its own spring, a contact is pressed rather than an impact.
 const IMPACT: f64 = 8.0;

@@ -6,28 +6,32 @@
 //! and per wall fix. The ranks' probes are merged into one JSON file, a [`Probe`].
 mod alarm;
 mod bulk;
+mod call;
+mod contacts;
 mod examples;
 mod follow;
 mod grains;
 mod histogram;
 mod live;
+mod particles;
 mod session;
 mod tally;
 mod times;
 mod work;
 
 pub use bulk::{Bulk, Sample, SAMPLES};
+pub use call::Call;
+pub use contacts::Contacts;
 pub use examples::{Class, Drawn, End, Impact, Partners, Pressed, KEPT};
 pub use follow::{Follower, FOLLOWED};
 pub use grains::Grains;
 pub use histogram::{Bin, Histogram};
-pub use session::{Particles, Session};
+pub use particles::Particles;
+pub use session::Session;
 pub use tally::{Branches, Counts, Directions, Fastest, Gaps, Impulse, LawShare, TypePair};
 pub use times::Times;
 
-use crate::trace::{Handed, Header};
-use granlaw::law::Contact;
-use nalgebra::Vector3;
+use crate::trace::Header;
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -59,59 +63,6 @@ pub struct Probe {
     pub grains: Vec<Grains>,
     /// The scene as a whole.
     pub bulk: Bulk,
-}
-
-/// What the contacts of one chain did.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Contacts {
-    /// The laws and coefficients as LIGGGHTS resolved them, as in a trace.
-    pub header: Header,
-    /// One in so many pairs of particles was followed at the end.
-    pub share: u64,
-    /// Contact calls with overlapping surfaces, set-up evaluations included.
-    pub calls: u64,
-    /// Calls of followed contacts.
-    pub followed: u64,
-    /// Largest difference between the force of the Rust laws and that of the run, relative to the larger; 0 without Rust
-    /// laws.
-    pub residual: f64,
-    /// Per pair of atom types.
-    pub pairs: Vec<TypePair>,
-}
-
-/// One contact call with overlapping surfaces.
-#[derive(Clone, Copy, Debug)]
-pub struct Call<'a> {
-    /// Atom types from 0.
-    pub types: (usize, usize),
-    /// What the laws saw.
-    pub contact: &'a Contact,
-    /// Tells apart meshes that number their triangles alike.
-    pub place: usize,
-    /// Share of a wall contact that counts; 1 for a pair.
-    pub share: f64,
-    /// History before the call.
-    pub before: &'a [f64],
-    /// What the laws handed along.
-    pub handed: Handed,
-    /// Force on i \[N\].
-    pub force: Vector3<f64>,
-    /// Torque on i \[N m\].
-    pub torque_i: Vector3<f64>,
-    /// Torque on j \[N m\]; of a wall, whatever LIGGGHTS's laws give it.
-    pub torque_j: Vector3<f64>,
-}
-
-impl Call<'_> {
-    /// The torque that turns j: none on a wall.
-    fn on_j(&self) -> Vector3<f64> {
-        if self.contact.gap.call.is_wall {
-            Vector3::zeros()
-        } else {
-            self.torque_j
-        }
-    }
 }
 
 /// Why there is no probe.
@@ -214,22 +165,5 @@ impl Probe {
         let mut out = io::BufWriter::new(file);
         serde_json::to_writer(&mut out, self).map_err(|e| io(e.into()))?;
         out.flush().and_then(|()| std::fs::rename(&part, path)).map_err(io)
-    }
-}
-
-impl Contacts {
-    /// Adds what was seen elsewhere of the same chain.
-    pub(crate) fn merge(&mut self, other: Contacts) {
-        self.share = self.share.max(other.share);
-        self.calls += other.calls;
-        self.followed += other.followed;
-        self.residual = self.residual.max(other.residual);
-        for pair in other.pairs {
-            match self.pairs.iter_mut().find(|p| p.types == pair.types) {
-                Some(mine) => mine.merge(pair),
-                None => self.pairs.push(pair),
-            }
-        }
-        self.pairs.sort_by_key(|p| p.types);
     }
 }

@@ -3,8 +3,8 @@
 //! Forces act while velocities go from one half step to the next, so they work along the mean of the two. Of the later
 //! one a contact knows only what it does itself; for two bodies alone that is all, and the work is the change of
 //! their kinetic energy to the last digits.
+use super::call::Call;
 use super::tally::Directions;
-use super::Call;
 use granlaw::law::{Body, Gap, Surface};
 use nalgebra::Vector3;
 
