@@ -1,4 +1,5 @@
 //! The modes that a contact of two bodies reaches: what limits the time step.
+use super::matter::Matter;
 use super::shot::Shot;
 use granlaw::chain::Chain;
 use granlaw::critical::Mode;
@@ -65,6 +66,11 @@ pub fn loading(chain: &mut Chain, shot: &Shot) -> f64 {
     let row = vec![0.0; chain.row()];
     let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
     along_normal(&kinds, &chain.observe(shot.types, &Contact { gap, surface }, &row)).0
+}
+
+/// The same of laws and numbers that are known to be sound: stiffness \[N/m\].
+pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
+    loading(&mut matter.chain().expect("a sound case"), shot)
 }
 
 /// Stiffness \[N/m\] and damping \[N s/m\] along the normal, of all laws that act there.

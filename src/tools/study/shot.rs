@@ -1,5 +1,5 @@
 //! One contact from first touch to last: two spheres, or a sphere and a wall, shot at each other.
-use super::tied::{beads, Tied};
+use super::row::{random, Tied, Way};
 use granlaw::law::Body;
 use granlaw::pair::{Opened, Partner, Start, State};
 use nalgebra::Vector3;
@@ -226,6 +226,36 @@ impl Shot {
     }
 }
 
+/// The spheres of a row where its bonds begin, the first at the upper end of x.
+pub fn beads(shot: &Shot, tied: &Tied) -> Vec<Body> {
+    let n = tied.beads;
+    let mut all: Vec<Body> = Vec::with_capacity(n);
+    for k in 0..n {
+        let radius = if k % 2 == 1 { shot.radius * shot.ratio } else { shot.radius };
+        let mass = 4.0 / 3.0 * PI * radius.powi(3) * shot.density;
+        let x = all.last().map_or(0.0, |b: &Body| b.x.x - (b.radius + tied.gap + radius));
+        all.push(Body { tag: k as i64 + 1, radius, mass, x: Vector3::x() * x, ..Body::default() });
+    }
+    let total: f64 = all.iter().map(|b| b.mass).sum();
+    for k in 0..n {
+        // Of two, momentum is zero whatever their masses; of more, they are alike.
+        let shape = match n {
+            2 => [total - all[0].mass, all[1].mass - total][k] / total,
+            _ => (PI * (k as f64 + 0.5) / n as f64).cos() / (2.0 * (PI / (2 * n) as f64).cos()),
+        };
+        let b = &mut all[k];
+        match tied.way {
+            Way::Along => b.v.x = -shot.speed * shape,
+            Way::Shear => b.v.y = shot.slide * shape,
+            Way::Bend => b.omega.z = shot.slide * shape / b.radius,
+            Way::Twist => b.omega.x = shot.slide * shape / b.radius,
+            Way::AlongAtRandom(seed) => b.v.x = shot.speed * random(seed, k),
+            Way::TwistAtRandom(seed) => b.omega.x = shot.slide * random(seed, k) / b.radius,
+        }
+    }
+    all
+}
+
 /// Follows an integration step by step and says when the contact is over.
 #[derive(Debug)]
 pub struct Follow<'a> {
@@ -269,5 +299,25 @@ impl<'a> Follow<'a> {
     pub fn end(self, bodies: &[Body]) -> Outcome {
         let Outcome { peak, duration, parted, force, .. } = self.seen;
         Outcome { peak, duration, parted, force, ..self.shot.judge(bodies) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_begin_without_momentum_and_as_wide_apart_as_they_are_told() {
+        let tied = |beads, way| Tied { beads, gap: 1e-5, way };
+        let shot = Shot { ratio: 0.5, slide: 0.3, ..Shot::head_on(1e-3, 1000.0, 0.2) };
+        let two = beads(&shot, &tied(2, Way::Along));
+        let momentum: f64 = two.iter().map(|b| b.mass * b.v.x).sum();
+        assert!(momentum.abs() < 1e-18 && (two[1].v.x - two[0].v.x - 0.2).abs() < 1e-15);
+        assert!((two[0].x.x - two[1].x.x - 1.51e-3).abs() < 1e-18);
+        let many = beads(&Shot { ratio: 1.0, ..shot }, &tied(7, Way::Along));
+        assert!((many[6].v.x - many[0].v.x - 0.2).abs() < 1e-15 && many[3].v.x.abs() < 1e-15);
+        let at_random = beads(&shot, &tied(100, Way::AlongAtRandom(3)));
+        assert!(at_random.iter().all(|b| b.v.x.abs() <= 0.2) && at_random.iter().any(|b| b.v.x > 0.1));
+        assert_ne!(at_random[0].v, beads(&shot, &tied(100, Way::AlongAtRandom(4)))[0].v);
     }
 }

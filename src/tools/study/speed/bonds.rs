@@ -3,10 +3,11 @@
 //! A swing is one way out and back, after which bonds without strength on the other side leave the spheres to themselves. It may be that of
 //! two, or of a chain that is set going in its slowest mode: all its bonds are then stretched in proportion, and turn and change branch at
 //! once, so that it comes back as two do.
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use crate::study::bond::{Bond, LAMBDA, MODES};
+use crate::study::row::{Tied, Way};
 use crate::study::shot::Shot;
-use crate::study::tied::{whole, Tied, Way};
+use crate::study::tied::whole;
 use granlaw::law::Size;
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
 //! Orders that the methods claim.
-use super::cases::Case;
+use super::case::Case;
 use super::methods::Method;
 
 /// By which power of the step the error of a method falls.

@@ -1,5 +1,5 @@
 //! Error and cost of a method over its step.
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use super::costs::{self, Cost};
 use super::methods::{Method, Runner};
 use super::truth::Truth;

@@ -1,27 +1,16 @@
 //! The same shots in LIGGGHTS, and what a contact costs there in a bed of many.
 use super::bonds::{calls, steps};
-use super::cases::{Case, Measure};
-use super::costs::{quartiles, Cost};
+use super::case::{Case, Measure};
+use super::costs::quartiles;
 use super::curves::{judge, phases, worth, Curve, STEPS};
+use super::found::{Found, PerStep, Study};
 use super::methods::{Method, Runner};
-use super::{Found, Study};
 use crate::report::page::Spread;
 use crate::study::live::{Bench, LiveError, Who};
 use crate::study::matter::{Matter, Names};
 use crate::study::shot::Outcome;
 use granlaw::law::Kind;
 use rayon::prelude::*;
-
-/// What one evaluation of a contact costs in LIGGGHTS.
-#[derive(Clone, Debug)]
-pub struct PerStep {
-    /// The normal law.
-    pub law: &'static str,
-    /// Who computes it.
-    pub method: Method,
-    /// LIGGGHTS's Pair time per contact and step \[s\].
-    pub cost: Cost,
-}
 
 const METHODS: [(Method, Who); 3] =
     [(Method::Stock, Who::Stock), (Method::Plugin, Who::TakenOver), (Method::PluginTimed, Who::Own)];

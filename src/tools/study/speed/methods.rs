@@ -1,6 +1,6 @@
 //! The methods: how a contact is integrated.
 use super::bonds;
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use super::truth::Truth;
 use crate::study::matter::Matter;
 use crate::study::shot::{Follow, Outcome};

@@ -1,8 +1,9 @@
 //! The study as a document: charts, tables, checks.
 use super::claims::{claims, Claim, WITHIN};
 use super::curves::{Curve, Reach, ERRORS};
+use super::found::{Found, Study};
 use super::methods::Method;
-use super::{Found, Options, Study};
+use super::Options;
 use crate::report::page::{Cell, Chart, Item, Mark, Page, Section, Table, Trend};
 use crate::report::{Check, Outcome, Shows, Tolerance, Worst};
 use crate::study::about;

@@ -1,10 +1,9 @@
 //! What a case is held against: a closed form where there is one, a converged solution elsewhere.
 use super::bonds;
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use crate::study::adaptive::{impact, Aim};
-use crate::study::matter::Matter;
-use crate::study::modes::loading;
-use crate::study::shot::{Outcome, Shot};
+use crate::study::modes::stiffness;
+use crate::study::shot::Outcome;
 use crate::study::tied::{run as run_row, whole, Look};
 use granlaw::law::Kind;
 use granlaw::pair::run;
@@ -123,11 +122,6 @@ fn rolled(case: &Case) -> Truth {
 /// Half a period of the loading stiffness \[s\]: how long a contact lasts, to within a factor of two.
 pub fn period(case: &Case) -> f64 {
     PI * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt()
-}
-
-/// Loading stiffness \[N/m\] at an overlap of a hundredth of the radius.
-pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
-    loading(&mut matter.chain().expect("a sound case"), shot)
 }
 
 /// The restitution by equations of their own, where there are such.

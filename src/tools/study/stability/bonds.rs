@@ -1,10 +1,10 @@
 //! The fields of bonds: spheres of 1 mm in a row, or one on a wall, with a gap that the bonds act across.
-use super::fields::{values, Plan};
+use super::plan::{values, Plan};
 use super::row::{Row, Scene};
 use crate::study::bond::{Bond, MODES};
 use crate::study::matter::Matter;
-use crate::study::shot::{Rest, Shot};
-use crate::study::tied::{beads, Tied, Way};
+use crate::study::row::{Tied, Way};
+use crate::study::shot::{beads, Rest, Shot};
 use granlaw::critical::Mode;
 use granlaw::law::{Size, Swing};
 

@@ -1,6 +1,6 @@
 //! Borders in our simulation, and LIGGGHTS asked on both sides of them.
 use super::cell::Class;
-use super::fields::Field;
+use super::plan::Field;
 use super::row::Row;
 use crate::study::live::{Bench, LiveError, Who};
 

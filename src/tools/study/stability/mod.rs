@@ -4,12 +4,16 @@ mod bonds;
 mod cell;
 mod fields;
 mod live;
+mod mapped;
 mod page;
+mod plan;
 mod row;
 
 pub use cell::{Class, Found};
-pub use fields::{field, fields, names, Field};
+pub use fields::{field, fields, names};
 pub use live::{agreement, ask, choose, onset, Agreement, Asked, Place};
+pub use mapped::{Mapped, Study};
+pub use plan::Field;
 pub use row::{Row, Scene};
 
 use super::live::Bench;
@@ -17,30 +21,6 @@ use super::Options;
 use crate::report::page::Page;
 use rayon::iter::Either;
 use rayon::prelude::*;
-
-/// A field with what was found in it.
-#[derive(Debug)]
-pub struct Mapped {
-    /// The field.
-    pub field: Field,
-    /// Steps over the unit of the row.
-    pub steps: Vec<f64>,
-    /// What was found, row by row.
-    pub cells: Vec<Found>,
-    /// The first step of each row, over its unit, at which energy is created; `None` where it never is.
-    pub onset: Vec<Option<f64>>,
-    /// What LIGGGHTS was asked.
-    pub asked: Vec<Asked>,
-}
-
-/// The whole study.
-#[derive(Debug)]
-pub struct Study {
-    /// Field by field.
-    pub mapped: Vec<Mapped>,
-    /// What LIGGGHTS could not do.
-    pub trouble: Vec<String>,
-}
 
 /// Do it; `done` hears of every field.
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {

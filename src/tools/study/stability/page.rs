@@ -1,8 +1,9 @@
 //! The study as a document: maps with borders, tables of limits, agreement with LIGGGHTS.
 use super::cell::Class;
 use super::live::{agreement, Agreement};
+use super::mapped::{Mapped, Study};
 use super::row::Scene;
-use super::{Mapped, Options, Study};
+use super::Options;
 use crate::report::page::{Border, Cell, Item, Map, Page, Scale, Section, Spot, Table};
 use crate::report::{Check, Outcome, Shows, Tolerance, Worst};
 use crate::study::about::{about, ran};

@@ -1,6 +1,5 @@
 //! Bonds: the modes of two bodies that a bond holds, and of many that hold each other.
-use super::contact::{Contact, Limit};
-use super::Asked;
+use super::limit::{Asked, Contact, Limit};
 use crate::probe::Grains;
 use granlaw::chain::Chain;
 use granlaw::critical::Mode;

@@ -3,25 +3,15 @@
 mod accurate;
 mod bond;
 mod contact;
+mod limit;
 mod stock;
 
 pub use accurate::{accurate, Search};
-pub use contact::{Contact, Limit};
+pub use limit::{Asked, Contact, Limit};
 pub use stock::Stock;
 
 use crate::probe::{Contacts, Grains, Probe};
 use serde::Serialize;
-
-/// What is asked.
-#[derive(Clone, Copy, Debug)]
-pub struct Asked {
-    /// Largest mean relative error of the restitution of an impact.
-    pub accuracy: f64,
-    /// Speed of the impacts \[m/s\]; without it, the fastest that the scene shows.
-    pub speed: Option<f64>,
-    /// How many bonds are taken to hold a particle.
-    pub bonds: u32,
-}
 
 /// What is said of a deck.
 #[derive(Clone, Debug, Serialize)]
