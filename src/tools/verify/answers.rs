@@ -1,6 +1,6 @@
 //! Two answers side by side, as checks of the report.
+use super::attempt::Attempt;
 use super::checks::{self, Limit};
-use super::live::Attempt;
 use crate::compare::{self, CompareError, Difference, Frame, Quantity, Spot};
 use crate::deck::Final;
 use crate::replay::{replay_from, Replay, ReplayError};
