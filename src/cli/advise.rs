@@ -1,4 +1,5 @@
 //! `granlaw advise`: how simple a model a scene bears, and how large a step.
+use crate::console;
 use anyhow::{bail, Context};
 use granlaw_tools::advise::check::{check, with, CheckError, Deeds, Runner};
 use granlaw_tools::advise::fresh::fresh;
@@ -72,7 +73,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Stop a run that takes longer than this.
-    #[arg(long, value_name = "SECONDS", default_value_t = 3600.0, value_parser = crate::verify::seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 3600.0, value_parser = console::seconds)]
     time_limit: f64,
 }
 
@@ -104,10 +105,10 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         let text = serde_json::to_string_pretty(&found)?;
         std::fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
-    crate::print(&advise::text(&found));
+    console::print(&advise::text(&found));
     if let Some(dir) = &args.out {
         write_page(&advise::page(&found, &probe, described(about)), dir)?;
-        crate::print(&format!("\n{}\n", dir.join("index.html").display()));
+        console::print(&format!("\n{}\n", dir.join("index.html").display()));
     }
     Ok(ExitCode::from(u8::from(!found.holds())))
 }

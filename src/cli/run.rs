@@ -1,4 +1,5 @@
 //! `granlaw run`: LIGGGHTS with the plugin.
+use crate::console;
 use anyhow::{bail, Context};
 use granlaw_tools::liggghts::{Host, Laws, Plugin, Preload, Route};
 use std::os::unix::process::CommandExt;
@@ -42,7 +43,7 @@ pub struct Args {
     #[arg(long)]
     shadow: bool,
     /// Largest difference allowed, relative to the forces that the laws add up in a call. None is the claim, so 0 is the default.
-    #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = crate::tolerance)]
+    #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = console::tolerance)]
     tolerance: f64,
     /// Say once for each pair of types when the time step is too long for a contact or a bond, with the figures; contacts then go one by one.
     #[arg(long)]

@@ -1,4 +1,5 @@
 //! `granlaw speed`: what each method costs, and how wrong it is.
+use crate::console;
 use anyhow::Context;
 use clap::builder::PossibleValuesParser;
 use granlaw_tools::liggghts;
@@ -77,6 +78,6 @@ pub fn finish(page: &Page, out: &Path) -> anyhow::Result<ExitCode> {
         };
     }
     page.about.notes.iter().for_each(|note| text += &format!("{note}\n"));
-    crate::print(&format!("{text}{}\n", out.join("index.html").display()));
+    console::print(&format!("{text}{}\n", out.join("index.html").display()));
     Ok(ExitCode::from(page.exit_code()))
 }

@@ -1,4 +1,5 @@
 //! `granlaw timestep`: how long the time step of a deck may be.
+use crate::console;
 use anyhow::{bail, Context};
 use granlaw_tools::deck::Deck;
 use granlaw_tools::liggghts::{self, Folder, Host, Laws, Plugin, Preload};
@@ -60,8 +61,8 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         bail!("{}: no contact to look at: {}", args.deck.display(), advice.notes.join("; "));
     };
     match args.json {
-        true => crate::print(&(serde_json::to_string_pretty(&advice)? + "\n")),
-        false => crate::print(&told(&args.deck, &advice)),
+        true => console::print(&(serde_json::to_string_pretty(&advice)? + "\n")),
+        false => console::print(&told(&args.deck, &advice)),
     }
     Ok(ExitCode::from(u8::from(advice.dt > recommended)))
 }
