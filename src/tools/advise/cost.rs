@@ -6,12 +6,12 @@ use granlaw::law::{Call, Contact, Gap, Stage, Surface};
 use nalgebra::Vector3;
 use std::time::Instant;
 
-/// Contacts per round, and rounds; the fastest counts, as nothing makes a round faster than it is.
+/// Contacts per round, and number of rounds. The fastest round counts: other programs can only slow a round down.
 const CONTACTS: usize = 512;
 const ROUNDS: usize = 25;
 
-/// Time to evaluate the laws on a contact \[ns\], over the chains by their calls. It is measured, and varies by a few
-/// hundredths from time to time.
+/// Time to evaluate the laws on one contact \[ns\]: the mean over the chains, weighted by their calls. It is measured, and varies
+/// by a few per cent from one measurement to the next.
 ///
 /// # Errors
 /// A law refuses.
@@ -38,7 +38,7 @@ pub(super) fn per_contact(scene: &Scene, chains: &[Header]) -> Result<f64, Heade
     Ok(sum / calls)
 }
 
-/// Contacts of a chain as they might be met: half way into the impacts that were kept.
+/// Contacts of a chain to time the laws on: the impacts and loads that the probe kept, at half of their largest overlap.
 fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
     let impacts = scene.groups.iter().filter(|g| g.chain == chain).flat_map(|g| match &g.contacts {
         Contacts::Impacts(all) => all.iter().map(|(i, _)| (i.partners, i.v, i.slip, i.end.overlap)).collect(),

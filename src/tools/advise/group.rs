@@ -4,7 +4,7 @@ use super::lived::Rebound;
 use crate::probe::{Impact, Pressed};
 use serde::Serialize;
 
-/// A class of contacts that is lived through again.
+/// A class of contacts that is repeated.
 #[derive(Clone, Debug, Serialize)]
 pub struct Group {
     /// Which contacts, in words.
@@ -15,7 +15,7 @@ pub struct Group {
     pub types: [usize; 2],
     /// Share of all impacts; 0 for loads.
     pub count: f64,
-    /// The share that it may have in another run: contacts are drawn, and their number is off by its root.
+    /// The share that it may have in another run: the number of contacts is a matter of chance, and may differ by its square root.
     #[serde(skip)]
     pub likely: f64,
     /// Share of the momentum exchanged along normals by all contacts.

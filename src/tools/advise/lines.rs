@@ -1,4 +1,4 @@
-//! Advice in words: lines for the deck.
+//! Advice as lines for the deck.
 use super::ladder::Rung;
 use super::scene::Scene;
 use crate::trace::{Header, LawSpec, Property};
@@ -15,7 +15,7 @@ pub struct Line {
     pub place: String,
 }
 
-/// The lines that make a rung of the ladder out of the deck; none that stay as they are.
+/// The lines that turn the deck into a model of the ladder; lines that stay as they are are left out.
 pub(super) fn lines(scene: &Scene, rung: &Rung) -> Vec<Line> {
     let mut all = Vec::new();
     for (was, is) in scene.chains.iter().zip(&rung.chains) {
@@ -69,7 +69,7 @@ pub(super) fn properties(was: &[Header], is: &[Header]) -> Vec<Property> {
     new
 }
 
-/// The models and settings of a chain as a deck has them.
+/// The models and settings of a chain, as they are written in a deck.
 pub(super) fn spoken(h: &Header) -> String {
     let words = Kind::ALL.iter().filter_map(|k| h.law(*k).map(|l| format!("{} {}", k.keyword(), called(l))));
     let mut settings: Vec<String> = Vec::new();

@@ -1,8 +1,8 @@
-//! Advice on a scene: how simple a model it bears, and how large a step.
+//! Advice on a scene: how simple a model is good enough for it, and how large a step.
 //!
-//! A [`Probe`] says what the contacts of a scene do. Its examples are lived through again by two bodies alone, with
-//! simpler chains and with larger steps; what stays within the accuracy asked for, in every important class of contacts, is
-//! good enough. Nothing is recommended that was not tried, and everything is told with the measurement behind it.
+//! A [`Probe`] says what the contacts of a scene do. Its examples are repeated by two bodies alone, with simpler chains
+//! and with larger steps. What stays within the accuracy asked for, in every important class of contacts, is good enough. Nothing is
+//! recommended that was not tried, and every recommendation comes with its measurement.
 pub mod bulk;
 mod change;
 pub mod check;
@@ -52,26 +52,26 @@ pub enum AdviceError {
     #[error("no contact was seen, so there is nothing to advise on; probe a run in which surfaces touch")]
     NoContact,
     /// No class of contacts has an example.
-    #[error("{calls} contact calls were seen, but no contact began and ended, or lasted, so that it could be lived through again; probe a longer run")]
+    #[error("{calls} contact calls were seen, but no contact began and ended, or lasted, so that it could be repeated; probe a longer run")]
     NoExample {
         /// How many calls.
         calls: u64,
     },
     /// Too much of the scene is in classes too small to count, or in contacts that were not seen whole.
     #[error(
-        "the classes of contacts that can be lived through again stand for {:.0} % of the impacts and {:.0} % of the momentum \
+        "the classes of contacts that can be repeated stand for {:.0} % of the impacts and {:.0} % of the momentum \
          exchanged; advice needs {:.0} % of both; probe a longer run", 100.0 * .0, 100.0 * .1, 100.0 * rules::COVERED
     )]
     Covered(f64, f64),
     /// Contacts that the probe could not count.
     #[error("the contacts of {} were not seen, as granlaw has a twin of none of their laws (granlaw laws lists them), so that nothing can be said of them", .0.join(", "))]
     Unseen(Vec<String>),
-    /// A law is not ours.
+    /// A law has no Rust twin.
     #[error("what the contacts do is known, but simpler models cannot be tried: {0}")]
     Laws(#[from] HeaderError),
 }
 
-/// Advice from a probe.
+/// Gives advice from a probe.
 ///
 /// # Errors
 /// There is nothing to advise on, or the laws are not granlaw's.
@@ -111,7 +111,7 @@ pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), Advice
     Ok((advice, scene))
 }
 
-/// What a probe tells of a law.
+/// What a probe says of a law, in words.
 fn measured(c: &crate::probe::Contacts, law: &str) -> String {
     let at = c.header.laws.iter().position(|l| l.keyword == law).unwrap_or(0);
     let shares = || c.pairs.iter().filter_map(|p| p.laws.get(at));
@@ -134,7 +134,7 @@ fn measured(c: &crate::probe::Contacts, law: &str) -> String {
     )
 }
 
-/// The simplest of the models that hold and are predicted to take as little time as any.
+/// The index of the simplest of the models that hold and whose predicted time is about the least.
 fn choose(ladder: &[Rung]) -> Option<usize> {
     let time = |k: &usize| ladder[*k].predicted.unwrap_or(f64::INFINITY);
     let holding = || (0..ladder.len()).filter(|k| time(k).is_finite());

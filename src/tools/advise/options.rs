@@ -9,7 +9,7 @@ pub struct Options {
     /// important class; under a load, of overlap (square root over R*), of shear force and attraction (over the load) and of torque
     /// (over load times R*).
     pub accuracy: f64,
-    /// How many times less closely contact times are asked for; 1 as closely.
+    /// The error of contact times may be this many times as large; 1 for the same accuracy.
     pub time: f64,
 }
 

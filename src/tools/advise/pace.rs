@@ -1,22 +1,22 @@
-//! What the probed run took, and what another run will take.
+//! How long the probed run took, and how long another run will take.
 use crate::probe::Probe;
 
 /// The time that the probed run took.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
-    /// Processor time per contact call, of all that is done step by step \[ns\].
+    /// Processor time per contact call of everything that is done in every step \[ns\].
     per_call: f64,
-    /// Time that does not grow with the number of steps, over that which does: the start, and neighbour lists, which are made by
-    /// distance travelled.
+    /// Time that does not grow with the number of steps, over that which does. It is that of the start, and of neighbour lists,
+    /// which are made anew after a distance travelled.
     fixed: f64,
 }
 
 impl Pace {
-    /// That of a probe, without what following contacts took; the rest of the probe's own cost is in it.
+    /// The pace of a probed run. The time for following contacts is taken out; the other costs of the probe stay in.
     pub(super) fn of(probe: &Probe) -> Pace {
         let calls: u64 = probe.chains.iter().map(|c| c.calls).sum();
         let (t, ranks) = (&probe.times, probe.ranks.max(1) as f64);
-        // Where others were at work on the machine, the processor's time tells what the run took.
+        // Processor time is not lengthened by other programs on the machine.
         let whole = if t.processor > 0.0 { t.processor / ranks } else { probe.seconds };
         let lists = if probe.seconds > 0.0 { t.lists * whole / probe.seconds } else { 0.0 };
         let steps = (whole - lists - t.probe / ranks).max(0.0);
@@ -24,7 +24,8 @@ impl Pace {
         Pace { per_call: 1e9 * steps * ranks / calls.max(1) as f64, fixed }
     }
 
-    /// Time of a run with laws of another cost \[ns per contact\] and another step, relative to the one that was probed.
+    /// Time of another run relative to the probed one: its laws cost `is` instead of `was` \[ns per contact\], and it takes `steps`
+    /// times as many steps.
     pub(super) fn relative(&self, (was, is): (f64, f64), steps: f64) -> f64 {
         let each = 1.0 + (is - was) / self.per_call.max(was);
         (self.fixed + each * steps) / (self.fixed + 1.0)
@@ -49,7 +50,7 @@ mod tests {
         assert_eq!(pace.relative((50.0, 50.0), 1.0), 1.0);
         // Laws that cost 56 ns more make each step a tenth longer.
         assert!((pace.relative((50.0, 106.25), 1.0) - (0.75 + 2.475) / 3.0).abs() < 1e-12);
-        // A probe that does not know its times: everything goes by steps.
+        // A probe without times: all time is taken to grow with the steps.
         probe.times = Times::default();
         assert!((Pace::of(&probe).relative((50.0, 50.0), 0.1) - 0.1).abs() < 1e-12);
     }

@@ -1,9 +1,9 @@
-//! Advice in words: the reasons, with the numbers behind them.
+//! The reasons for advice, in words and numbers.
 use super::found::Advice;
 use super::ladder::Trial;
 use super::lines::{number, percent};
 
-/// Why, in sentences with numbers.
+/// The reasons, in sentences with numbers.
 pub(super) fn reasons(a: &Advice) -> Vec<String> {
     let mut all = Vec::new();
     let whole = &a.ladder[0];
