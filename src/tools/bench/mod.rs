@@ -1,7 +1,7 @@
 //! What the laws cost inside LIGGGHTS: several sides run the same decks in turn, and must write the same dumps.
 //!
-//! The machine drifts while it is measured, so what counts are ratios of runs of the same round; the order of the sides
-//! turns round from one round to the next.
+//! The speed of a machine drifts, so only runs of the same round are compared, as ratios. The order of the sides is reversed from
+//! one round to the next.
 mod clock;
 mod lammps;
 mod page;

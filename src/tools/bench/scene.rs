@@ -1,4 +1,4 @@
-//! What is measured, on whom, and what their runs took.
+//! What is measured: decks, the sides that run them, and the times of their runs.
 use super::clock::{Account, Clock};
 use crate::report::page::Spread;
 use crate::report::Outcome;
@@ -11,11 +11,11 @@ use std::time::Duration;
 pub struct Options {
     /// Decks and folders of decks.
     pub decks: Vec<PathBuf>,
-    /// Rounds: how often each side runs each deck.
+    /// Number of rounds; in each, every side runs every deck once.
     pub pairs: usize,
     /// The numbers of MPI ranks to run on.
     pub ranks: Vec<usize>,
-    /// Widths of the batched path that are sides of their own.
+    /// Widths of the batched path that are measured as sides of their own.
     pub lanes: Vec<u32>,
     /// LAMMPS, for decks that have a `.lammps` file beside them.
     pub lammps: Option<PathBuf>,
@@ -52,7 +52,7 @@ impl fmt::Display for Side {
     }
 }
 
-/// A deck on some number of ranks, and what its runs took.
+/// A deck on some number of ranks, and the times of its runs.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// File name of the deck without its extension.
@@ -65,27 +65,27 @@ pub struct Scene {
     pub sides: Vec<Timed>,
     /// Steps, spheres and rebuilds of the measured run; nothing before the first run.
     pub(super) clock: Option<Clock>,
-    /// What the batched path said at its end.
+    /// The counts that the batched path prints at its end.
     pub(super) account: Option<Account>,
-    /// What the batched path calls its width.
+    /// The name that the batched path gives its width.
     pub(super) lanes: Option<String>,
 }
 
 /// The runs of a side.
 #[derive(Clone, Debug)]
 pub struct Timed {
-    /// Whose.
+    /// Which side.
     pub side: Side,
     /// LIGGGHTS's Pair time of each round \[s\], an average over the ranks.
     pub pair: Vec<f64>,
     /// Its Loop time \[s\].
     pub whole: Vec<f64>,
-    /// Whether it ran and wrote what stock wrote.
+    /// Whether it ran and wrote the same dumps as stock.
     pub outcome: Outcome,
 }
 
 impl Scene {
-    /// For people: the name, and the ranks if there are several.
+    /// The name, with the number of ranks if there are several.
     pub fn label(&self) -> String {
         match self.ranks {
             1 => self.name.clone(),
@@ -93,7 +93,7 @@ impl Scene {
         }
     }
 
-    /// The runs of a side that has some.
+    /// The runs of a side, if it has any.
     pub fn side(&self, side: Side) -> Option<&Timed> {
         self.sides.iter().find(|t| t.side == side && !t.pair.is_empty())
     }
@@ -103,7 +103,7 @@ impl Scene {
         self.account.map(|a| a.contacts as f64 / a.passes as f64)
     }
 
-    /// What the batched path keeps beside LIGGGHTS's own arrays, per neighbour \[B\].
+    /// Memory that the batched path needs beside LIGGGHTS's own arrays \[B per neighbour\].
     pub fn memory(&self) -> Option<f64> {
         self.account.filter(|a| a.neighbours > 0).map(|a| a.bytes as f64 / a.neighbours as f64)
     }
@@ -115,7 +115,7 @@ impl Scene {
         quartiles(timed.pair.iter().map(|t| t * 1e9 * self.ranks as f64 / contacts))
     }
 
-    /// Pair and Loop time of a side as parts of those of another, round by round.
+    /// Pair and Loop time of a side over those of another, round by round.
     pub fn ratios(&self, timed: &Timed, of: Side) -> Option<(Spread, Spread)> {
         let of = self.side(of)?;
         let by_round = |a: &[f64], b: &[f64]| quartiles(a.iter().zip(b).map(|(a, b)| a / b));
@@ -157,7 +157,7 @@ mod tests {
             whole: pair.iter().map(|t| 2.0 * t).collect(),
             outcome: Outcome::Agreed,
         };
-        // A machine that gets slower: the ratio of the medians of unlike rounds would be another.
+        // A machine that gets slower: a ratio of times from different rounds would be wrong.
         let scene = Scene {
             name: "x".into(),
             title: String::new(),
