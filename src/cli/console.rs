@@ -13,7 +13,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     limit.ok_or("must be a number of seconds above 0".into())
 }
 
-/// To standard output; a reader that goes away early is no error.
+/// Prints to standard output. A reader that closes the pipe early is no error.
 pub fn print(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
 }

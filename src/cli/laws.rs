@@ -1,4 +1,4 @@
-//! `granlaw laws`: what the laws say of themselves.
+//! `granlaw laws`: lists the laws and what they need.
 use crate::console;
 use anyhow::bail;
 use granlaw::law::{Kind, Meta, Need, Newton, Prop, Setting, Support};

@@ -58,7 +58,7 @@ fn main() -> ExitCode {
     })
 }
 
-/// The error with its causes, without those that it tells already.
+/// The error with its causes, without those whose text it already contains.
 fn told(error: &anyhow::Error) -> String {
     error.chain().map(ToString::to_string).fold(String::new(), |told, cause| match told.is_empty() {
         true => cause,
