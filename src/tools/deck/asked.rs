@@ -43,36 +43,36 @@ pub struct Asked {
 /// What can be checked.
 #[derive(Clone, Debug, PartialEq)]
 pub enum What {
-    /// Every recorded contact call again through the Rust laws.
+    /// Every recorded contact call is evaluated again by the Rust laws.
     Replay {
         /// Largest error relative to the peak of each quantity.
         limit: f64,
     },
-    /// The dump files of a run on the Rust laws against those of a run on LIGGGHTS's own, byte for byte.
+    /// A run on the Rust laws writes the same dump files as one on LIGGGHTS's own, byte for byte.
     Plugin,
-    /// Our own integration of two particles from the recorded first state.
+    /// Our own integration of two particles, from the recorded first state, gives the same motion.
     TwoBody {
         /// Largest error relative to the peak of each quantity.
         limit: f64,
     },
-    /// One number of the last frame of the deck's dump.
+    /// One number of the last frame of the deck's dump is as expected.
     Final(Final),
-    /// The dump files against those of another deck, byte for byte.
+    /// Another deck writes the same dump files, byte for byte.
     SameAs {
         /// Its file name, in the same folder.
         deck: String,
     },
 }
 
-/// One number of the last frame of the deck's dump, held against a known one.
+/// One number of the last frame of the deck's dump, and what it should be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Final {
     /// Column of the dump.
     pub column: String,
     /// Particle id.
     pub id: i64,
-    /// What it should be, in the units of the deck.
+    /// The expected value, in the units of the deck.
     pub value: f64,
-    /// Largest error: relative to `value`, absolute where that is 0.
+    /// Largest error: relative to `value`, or absolute if that is 0.
     pub limit: f64,
 }

@@ -19,7 +19,7 @@ pub enum DeckError {
         /// The folder.
         path: PathBuf,
     },
-    /// A comment that means nothing.
+    /// A comment cannot be understood.
     #[error("{}:{line}: {what}", path.display())]
     Comment {
         /// The file.

@@ -31,7 +31,7 @@ impl Deck {
         Ok(deck)
     }
 
-    /// Another deck of the same folder can be run: it is there, and does not itself continue a third.
+    /// Checks that another deck of the same folder can be run: it must be there, and not itself continue a third.
     fn needs(&self, word: &str, other: &str, line: usize) -> Result<(), DeckError> {
         let wrong = |what| DeckError::Comment { path: self.path.clone(), line, what };
         let path = self.folder().join(other);

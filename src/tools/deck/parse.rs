@@ -56,7 +56,7 @@ pub(super) fn deck(path: &Path, text: &str) -> Result<Deck, DeckError> {
     })
 }
 
-/// Whether a line looks like one of ours although its beginning is not.
+/// Whether a line was probably meant for granlaw although it does not begin as it must.
 fn meant(line: &str) -> bool {
     let rest = line.trim_start().strip_prefix('#').map(|r| r.trim_start_matches([' ', '\t', '#']));
     rest.and_then(|r| r.get(..7)).is_some_and(|word| word.eq_ignore_ascii_case("granlaw"))
