@@ -8,11 +8,11 @@ use nalgebra::Vector3;
 pub struct Call<'a> {
     /// Atom types from 0.
     pub types: (usize, usize),
-    /// What the laws saw.
+    /// The input of the laws.
     pub contact: &'a Contact,
-    /// Tells apart meshes that number their triangles alike.
+    /// Tells meshes apart, which may number their triangles alike.
     pub place: usize,
-    /// Share of a wall contact that counts; 1 for a pair.
+    /// The part of a wall contact that counts (LIGGGHTS's `area_ratio`); 1 for a pair.
     pub share: f64,
     /// History before the call.
     pub before: &'a [f64],

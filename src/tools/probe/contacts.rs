@@ -9,21 +9,21 @@ use serde::{Deserialize, Serialize};
 pub struct Contacts {
     /// The laws and coefficients as LIGGGHTS resolved them, as in a trace.
     pub header: Header,
-    /// One in so many pairs of particles was followed at the end.
+    /// At the end of the run, one in this many pairs of particles was followed.
     pub share: u64,
-    /// Contact calls with overlapping surfaces, set-up evaluations included.
+    /// Number of contact calls with overlapping surfaces, set-up evaluations included.
     pub calls: u64,
-    /// Calls of followed contacts.
+    /// Number of calls of contacts that were followed.
     pub followed: u64,
     /// Largest difference between the force of the Rust laws and that of the run, relative to the larger; 0 without Rust
     /// laws.
     pub residual: f64,
-    /// Per pair of atom types.
+    /// The contacts of each pair of atom types.
     pub pairs: Vec<TypePair>,
 }
 
 impl Contacts {
-    /// Adds what was seen elsewhere of the same chain.
+    /// Adds what another rank, or another wall, saw of the same chain.
     pub(crate) fn merge(&mut self, other: Contacts) {
         self.share = self.share.max(other.share);
         self.calls += other.calls;

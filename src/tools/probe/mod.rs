@@ -1,9 +1,9 @@
 //! A probe: what the contacts of a scene really do, in bounded memory however many there are and however long they run.
 //!
-//! The plugin hands every contact call to a [`Session`] while a deck runs. At most [`FOLLOWED`] contacts of a chain are
-//! followed at a time; in larger scenes an even sample of them, each counting for those that it stands for. What is
-//! kept are counts, sums, histograms, and a few examples of every class of impact and of load, per pair of atom types
-//! and per wall fix. The ranks' probes are merged into one JSON file, a [`Probe`].
+//! The plugin hands every contact call to a [`Session`] while a deck runs. Of many contacts only a sample is followed, at most
+//! [`FOLLOWED`] of a chain at a time, each counting for those that it stands for. A probe keeps counts, sums, histograms, and a few
+//! examples of every class of impact and of load, for each pair of atom types and each wall fix. The probes of all ranks are merged
+//! into one JSON file, a [`Probe`].
 mod alarm;
 mod bulk;
 mod call;
@@ -37,7 +37,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// What the `format` of a file says.
+/// The value of `format` in a file of this version.
 pub const FORMAT: &str = "granlaw probe 2";
 
 /// What a run's contacts did.
@@ -50,12 +50,12 @@ pub struct Probe {
     pub ranks: usize,
     /// Wall-clock time from the first step to the last, with the probe at work \[s\].
     pub seconds: f64,
-    /// What else is known of the time that the run took.
+    /// Other times of the run.
     #[serde(default)]
     pub times: Times,
     /// The pair style and each wall fix; once more where a deck changes laws, coefficients or time step.
     pub chains: Vec<Contacts>,
-    /// `pair`, and `wall ID` of wall fixes, whose contacts were not counted, as granlaw has a twin of none of their laws.
+    /// `pair` or `wall ID` of chains whose contacts were not counted, because none of their laws has a Rust twin.
     #[serde(default)]
     pub unseen: Vec<String>,
     /// The particles by type.
@@ -78,7 +78,7 @@ pub enum ProbeError {
         /// What the system says.
         source: io::Error,
     },
-    /// It is something else.
+    /// It is not a probe.
     #[error("{}: not a probe of this granlaw ({why}); make one with granlaw run --probe {0} -- -in DECK", path.display())]
     Foreign {
         /// The file.
@@ -106,8 +106,8 @@ impl Probe {
         self.times.merge(other.times);
     }
 
-    /// One chain for the pair style and one for all walls with the same laws, coefficients and time step, which is then
-    /// called `walls A, B`. Of chains that a deck changes on the way, the one with the most calls; none without calls.
+    /// One chain for the pair style, and one for all walls with the same laws, coefficients and time step, which is then called
+    /// `walls A, B`. If a deck changes a chain on the way, the version with the most calls. Chains without calls are left out.
     pub fn principal(&self) -> Vec<Contacts> {
         let mut busiest: Vec<&Contacts> = Vec::new();
         for c in self.chains.iter().filter(|c| c.calls > 0) {
