@@ -1,7 +1,7 @@
 //! The main job: decks in, a verdict on each out.
 //!
 //! Every deck runs on LIGGGHTS's own laws, once alone and once recorded; the recorded calls are replayed through the
-//! Rust laws; the deck runs on the Rust laws inside LIGGGHTS; two free particles are integrated on our own. Which of
+//! Rust laws; the deck runs on the Rust laws inside LIGGGHTS; two free particles are integrated by our own code. Which of
 //! the answers differ tells whether the law, the boundary or the integration is at fault.
 use crate::deck::Deck;
 use crate::liggghts::{Host, Plugin, RunError};
@@ -84,10 +84,10 @@ impl Plan {
         self.tools.as_ref().err()
     }
 
-    /// Do it; `done` sees each case as it is finished.
+    /// Runs all cases; `done` is called for each when it is finished.
     ///
     /// # Errors
-    /// There is nothing to do it with, or it was interrupted.
+    /// There is neither LIGGGHTS nor a recorded trace, or it was interrupted.
     pub fn run(&self, done: &(dyn Fn(&Case) + Sync)) -> Result<Report, VerifyError> {
         let mut about = self.about();
         let cases = match &self.tools {
