@@ -1,4 +1,4 @@
-//! The report folder: written beside its final place, then put there whole.
+//! The report folder: written in a temporary folder beside its final place, then moved there.
 use super::Report;
 use std::fs;
 use std::io;
@@ -10,8 +10,8 @@ pub trait Writer {
     fn write(&self, report: &Report, dir: &Path) -> Result<(), ReportError>;
 }
 
-/// A kind of folder: what its writers leave in it, where anything else belongs to someone else, and how its
-/// `report.json` begins.
+/// A kind of folder: the names that its writers leave in it, and how its `report.json` begins. A folder with any other name in it is
+/// not one of ours.
 pub(super) struct Kind {
     pub ours: &'static [&'static str],
     pub format: &'static str,
@@ -50,7 +50,7 @@ impl ReportError {
     }
 }
 
-/// Lets `write` fill a fresh folder and puts that in the place of `dir`.
+/// Lets `write` fill a new folder, and moves that to `dir`.
 pub(super) fn place(
     dir: &Path,
     kind: &Kind,
@@ -63,7 +63,7 @@ pub(super) fn place(
         return Err(kind.taken(dir, "has no name of its own".into()));
     };
     fs::create_dir_all(parent).map_err(io)?;
-    // A sibling, so that the last step is a rename within one file system; it goes away when dropped.
+    // It is beside `dir`, so that the last step is a rename within one file system; it is removed when dropped.
     let temporary = tempfile::Builder::new().prefix(".granlaw-report-").tempdir_in(parent).map_err(io)?;
     let fresh = temporary.path().join("new");
     fs::create_dir(&fresh).map_err(io)?;
@@ -77,7 +77,7 @@ pub(super) fn place(
     }
     fs::rename(&fresh, &target).map_err(|e| {
         if replaced {
-            // Best effort: the first error is the one to tell.
+            // If this fails too, the first error is still the one to report.
             let _ = fs::rename(&old, &target);
         }
         io(e)

@@ -1,4 +1,4 @@
-//! One typed [`Report`]; every format is written from it by one writer, and nothing here knows physics.
+//! One typed [`Report`], and one writer for each format. Nothing here depends on physics.
 //!
 //! [`write_all`] makes the folder: `index.html` for people, `report.md` for pull requests, `report.json` and
 //! `junit.xml` for programs, `csv/<case>.csv` with the numbers behind the plots.
@@ -27,7 +27,7 @@ pub use write::{check_target, write_all};
 /// What `granlaw verify` found, case by case.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Report {
-    /// What was compared with what, and where.
+    /// The programs that were compared, and the machine.
     pub about: About,
     /// One entry per deck, in the order given.
     pub cases: Vec<Case>,
@@ -38,9 +38,9 @@ pub struct Report {
 pub struct About {
     /// Version of granlaw.
     pub granlaw: String,
-    /// What LIGGGHTS calls itself; `None` where it was not found.
+    /// The version of LIGGGHTS, in its own words; `None` if it was not found.
     pub liggghts: Option<String>,
-    /// The plugin that was preloaded; `None` where there was none.
+    /// The plugin that was preloaded; `None` if there was none.
     pub plugin: Option<String>,
     /// Operating system, architecture and number of cores.
     pub machine: String,
@@ -55,7 +55,7 @@ pub struct About {
 pub struct Case {
     /// File name of the deck without its extension; the writers add `-2`, `-3` … where two decks share it.
     pub name: String,
-    /// One line for people.
+    /// Its title, one line.
     pub title: String,
     /// Path of the deck as given.
     pub deck: String,
@@ -73,7 +73,7 @@ pub struct Case {
     /// Wall-clock time of the case \[s\].
     #[serde(serialize_with = "numbers::number")]
     pub seconds: f64,
-    /// What LIGGGHTS said, kept when a run failed.
+    /// The output of LIGGGHTS, kept if a run failed.
     pub log: Option<String>,
 }
 
@@ -156,7 +156,7 @@ pub struct Worst {
     /// The answer on trial.
     #[serde(serialize_with = "numbers::number")]
     pub got: f64,
-    /// The answer it is held against.
+    /// The reference answer.
     #[serde(serialize_with = "numbers::number")]
     pub expected: f64,
     /// The error in the norm of the check.
@@ -207,7 +207,7 @@ impl Case {
 }
 
 impl Report {
-    /// How many checks ended how.
+    /// Counts the checks by outcome.
     pub fn counts(&self) -> Counts {
         let mut n = Counts::default();
         for check in self.cases.iter().flat_map(|c| &c.checks) {
