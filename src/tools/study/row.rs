@@ -7,28 +7,28 @@ pub struct Tied {
     pub beads: usize,
     /// Gap between the surfaces when the bonds begin \[m\]: they act across it.
     pub gap: f64,
-    /// What moves.
+    /// How they move.
     pub way: Way,
 }
 
-/// What sets a row going. Without a number in it, `speed` or `slide` of the shot is the velocity of one end against the other.
+/// How a row is set going. Unless it is at random, `speed` or `slide` of the shot is the velocity of one end relative to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// The slowest mode along the row, together for `speed` above 0, apart below.
+    /// In the slowest mode along the row: pressed together if `speed` is above 0, stretched if below.
     Along,
-    /// Across the row.
+    /// Across the row, in shear.
     Shear,
     /// The ends turn against each other about an axis across the row; surfaces move with `slide`.
     Bend,
-    /// About the row.
+    /// The ends turn against each other about the row, in twist.
     Twist,
-    /// Every sphere along the row at random, from a seed, up to `speed`.
+    /// Every sphere moves along the row with a random velocity, from a seed, up to `speed`.
     AlongAtRandom(u64),
-    /// Every sphere about the row at random, up to `slide`.
+    /// Every sphere turns about the row with a random velocity, up to `slide`.
     TwistAtRandom(u64),
 }
 
-/// A number within [−1, 1] for every sphere of a seed (the finaliser of SplitMix64).
+/// A random number within [−1, 1], from a seed and the number of a sphere (the finaliser of SplitMix64).
 pub(super) fn random(seed: u64, k: usize) -> f64 {
     let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (k as u64 + 1).rotate_left(32);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,4 +1,4 @@
-//! Spheres in a row, each bonded to the next: two of them, or a chain.
+//! Integrates spheres in a row, each bonded to the next: two of them, or a chain.
 //!
 //! The scheme is that of [`granlaw::pair`], LIGGGHTS's velocity Verlet with its operations in its order. Bonds begin in the first
 //! step, in which nothing acts yet.
@@ -9,14 +9,14 @@ use granlaw::law::{Body, Call, Contact, Stage};
 use granlaw::pair::{approach, Start};
 use nalgebra::Vector3;
 
-/// The same one step of `dt` \[s\] before.
+/// The spheres of a row one step of `dt` \[s\] before its bonds begin.
 pub fn ahead(shot: &Shot, tied: &Tied, dt: f64) -> Vec<Body> {
     let mut all = beads(shot, tied);
     all.iter_mut().for_each(|b| b.x -= b.v * dt);
     all
 }
 
-/// A row on its way.
+/// A row in motion.
 struct Row<'a> {
     chain: &'a mut Chain,
     start: Start,
@@ -58,24 +58,24 @@ impl Row<'_> {
     }
 }
 
-/// What is looked at on the way.
+/// What is observed on the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
     /// The largest kinetic energy.
     Energy,
-    /// One swing out and back: its largest force and how long it lasts, and then no more.
+    /// One swing out and back: its largest force and its duration. The row is followed no further.
     Once {
         /// Whether forces are kept.
         with_force: bool,
     },
-    /// Nothing: only the end counts.
+    /// Nothing but the end.
     End,
 }
 
-/// A row whose swing is over is followed so much longer, until all its bonds are slack.
+/// A row is followed for this many times the duration of its swing, until all its bonds are slack.
 const LONGER: f64 = 1.2;
 
-/// So many steps, or a few more, that [`every`] divides.
+/// This number of steps, rounded up so that [`every`] divides it.
 pub fn whole(steps: f64) -> u64 {
     let n = steps.ceil() as u64;
     if n < 128 {
@@ -85,12 +85,12 @@ pub fn whole(steps: f64) -> u64 {
     }
 }
 
-/// Every so many steps the energy is looked at, so that LIGGGHTS can be asked in the same ones.
+/// The energy is observed once in this many steps, so that LIGGGHTS can report it at the same ones.
 pub fn every(steps: u64) -> u64 {
     (steps / 128).max(1)
 }
 
-/// What becomes of a row in so many steps of `dt` \[s\].
+/// Integrates a row over a number of steps of `dt` \[s\].
 pub fn run(chain: &mut Chain, shot: &Shot, tied: &Tied, (dt, steps): (f64, u64), look: Look) -> Outcome {
     let bodies = ahead(shot, tied, dt);
     let n = bodies.len();
@@ -120,7 +120,7 @@ pub fn run(chain: &mut Chain, shot: &Shot, tied: &Tied, (dt, steps): (f64, u64),
     Outcome { peak, duration, parted, force, energy, ..end }
 }
 
-/// From the first to the last \[m\].
+/// Distance of the first and the last \[m\].
 fn length(bodies: &[Body]) -> f64 {
     (bodies[0].x - bodies[bodies.len() - 1].x).norm()
 }
@@ -135,7 +135,7 @@ struct Swing {
 }
 
 impl Swing {
-    /// Sees a state; whether it is over.
+    /// Takes a state. Returns whether the swing is over.
     fn over(&mut self, row: &Row<'_>, time: f64, dt: f64, with_force: bool) -> bool {
         let now = self.sign * (self.whole - length(&row.bodies));
         let was = std::mem::replace(&mut self.way, now);

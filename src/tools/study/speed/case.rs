@@ -14,7 +14,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// The number.
+    /// Its value in an outcome.
     pub fn of(self, o: &Outcome) -> f64 {
         match self {
             Measure::Restitution => o.restitution,
@@ -23,7 +23,7 @@ impl Measure {
         }
     }
 
-    /// The word for people.
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Measure::Restitution => "restitution",

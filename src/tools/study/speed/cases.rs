@@ -30,8 +30,8 @@ fn oblique(name: &'static str, title: &'static str, e: f64, mu: f64, slide: f64)
     Case { shot, measure: Measure::Spin, ..case }
 }
 
-/// A sphere that rolls to rest under cdt with μr = 0.1; it is followed for half as long again as the closed form
-/// 7v/(5 μr g) has it roll.
+/// A sphere that rolls to rest under cdt with μr = 0.1. It is followed for 1.5 times the time that it rolls by the closed form,
+/// 7v/(5 μr g).
 fn rolling() -> Case {
     let mut matter =
         matter("hooke", 0.5).with("coefficientFriction", 0.5).with("coefficientRollingFriction", 0.1);

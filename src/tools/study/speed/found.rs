@@ -1,16 +1,16 @@
-//! What was found.
+//! The results of the study.
 use super::case::Case;
 use super::costs::Cost;
 use super::curves::Curve;
 use super::methods::Method;
 use super::truth::Truth;
 
-/// What was found for one case.
+/// The results for one case.
 #[derive(Debug)]
 pub struct Found {
     /// The case.
     pub case: Case,
-    /// What it is held against.
+    /// The reference.
     pub truth: Truth,
     /// One curve per method.
     pub curves: Vec<Curve>,
@@ -21,7 +21,7 @@ pub struct Found {
 pub struct Study {
     /// Case by case.
     pub found: Vec<Found>,
-    /// Cost of a contact in one step inside LIGGGHTS \[s\], by case and who computes it.
+    /// Cost of a contact in one step inside LIGGGHTS \[s\], by law and method.
     pub per_step: Vec<PerStep>,
     /// The largest difference between LIGGGHTS and our own integration of the same shots, relative to what was measured;
     /// `None` without LIGGGHTS.
@@ -30,12 +30,12 @@ pub struct Study {
     pub trouble: Vec<String>,
 }
 
-/// What one evaluation of a contact costs in LIGGGHTS.
+/// The cost of one evaluation of a contact in LIGGGHTS.
 #[derive(Clone, Debug)]
 pub struct PerStep {
     /// The normal law.
     pub law: &'static str,
-    /// Who computes it.
+    /// The method.
     pub method: Method,
     /// LIGGGHTS's Pair time per contact and step \[s\].
     pub cost: Cost,

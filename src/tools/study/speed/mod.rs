@@ -23,7 +23,7 @@ pub use truth::Truth;
 use super::Options;
 use crate::report::page::Page;
 
-/// Do it; `done` hears of every case.
+/// Runs the study; `done` is called with each part that is finished.
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     let (phases, rounds) = if options.full { (128, 9) } else { (48, 5) };
     let mut found = Vec::new();

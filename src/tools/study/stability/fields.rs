@@ -1,4 +1,4 @@
-//! The fields: for each law, a parameter over which its stability changes.
+//! The fields: for each law, the parameters with which its stability changes.
 use super::bonds;
 use super::plan::{values, Build, Field, Plan};
 use super::row::{Row, Scene};
@@ -27,16 +27,16 @@ fn matter(normal: &'static str, tangential: Option<&'static str>, e: f64) -> Mat
     Matter { laws: laws.collect(), values, settings: Vec::new() }
 }
 
-/// A few speeds about the shot's own.
+/// The shot at a few speeds about its own.
 fn about(shot: Shot) -> Vec<Shot> {
     [0.9, 1.0, 1.1].map(|s| Shot { speed: s * shot.speed, slide: s * shot.slide, ..shot }).to_vec()
 }
 
-/// A sphere at rest on the wall, pushed.
+/// A sphere at rest on the wall that is given a small velocity.
 fn at_rest(matter: &Matter, speed: f64, slide: f64) -> Shot {
     let shot = Shot { wall: true, speed: 0.0, ..SHOT };
     let sunk = shot.meff() * GRAVITY / stiffness(matter, &shot);
-    // So slow that it never leaves the wall.
+    // It is so slow that it never leaves the wall.
     let slow = 0.1 * (GRAVITY * sunk).sqrt();
     let rest = Some(Rest { gravity: GRAVITY, sunk, time: 0.0, rolls: false });
     Shot { speed: speed * slow, slide: slide * slow, rest, ..shot }
@@ -248,7 +248,7 @@ fn rolling_laws(n: usize) -> Vec<Plan> {
         let m = base("cdt_jkr").with("workOfAdhesion", 0.05).with("adhesionHysteresis", eta);
         m.set("cdtJkrConvention", "documented").set("restTorqueLimit", limit)
     };
-    // μr by the law's own equations, for how long it takes to stop.
+    // μr by the law's own equations, as it decides how long the sphere rolls.
     let mu_r = |eta: f64| {
         let e_star = 5e6 / (2.0 * (1.0 - 0.45 * 0.45));
         let a0 = (9.0 * PI * 0.05 * SHOT.radius.powi(2) / (2.0 * e_star)).cbrt();

@@ -1,20 +1,20 @@
-//! What was found.
+//! The results of the study.
 use super::cell::Found;
 use super::live::Asked;
 use super::plan::Field;
 
-/// A field with what was found in it.
+/// A field with its results.
 #[derive(Debug)]
 pub struct Mapped {
     /// The field.
     pub field: Field,
-    /// Steps over the unit of the row.
+    /// The steps, in units of the row.
     pub steps: Vec<f64>,
-    /// What was found, row by row.
+    /// The results, row by row.
     pub cells: Vec<Found>,
-    /// The first step of each row, over its unit, at which energy is created; `None` where it never is.
+    /// The first step of each row, in its units, at which energy is created; `None` where it never is.
     pub onset: Vec<Option<f64>>,
-    /// What LIGGGHTS was asked.
+    /// The places at which LIGGGHTS was run.
     pub asked: Vec<Asked>,
 }
 

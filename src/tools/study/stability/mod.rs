@@ -1,5 +1,5 @@
-//! Stability: fields of outcomes over the step and one parameter of a law, the borders that theory draws, and LIGGGHTS
-//! itself asked on both sides of the borders that we find.
+//! Stability: fields of outcomes over the step and one parameter of a law, with the borders of theory, and runs of LIGGGHTS
+//! itself on both sides of the borders that we find.
 mod bonds;
 mod cell;
 mod fields;
@@ -22,7 +22,7 @@ use crate::report::page::Page;
 use rayon::iter::Either;
 use rayon::prelude::*;
 
-/// Do it; `done` hears of every field.
+/// Runs the study; `done` is called with each part that is finished.
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     let (columns, phases) = if options.full { (96, 64) } else { (60, 24) };
     let mut study = Study { mapped: Vec::new(), trouble: Vec::new() };
@@ -49,7 +49,7 @@ pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
 }
 
 impl Mapped {
-    /// Asks LIGGGHTS at some places; what it could not do, in words.
+    /// Runs LIGGGHTS at some places. Returns a sentence if some of these runs failed.
     fn ask(&mut self, bench: &Bench, places: Vec<Place>, phases: usize) -> Option<String> {
         let answer = |place| match ask(bench, &self.field, place, phases) {
             Ok(asked) => Either::Left(asked),

@@ -7,17 +7,17 @@ use rayon::prelude::*;
 pub struct Field {
     /// Short name, unique.
     pub name: &'static str,
-    /// One line for people.
+    /// Its title, one line.
     pub title: &'static str,
     /// The law that it is about.
     pub law: &'static str,
     /// The parameter, with its unit.
     pub label: &'static str,
-    /// Whether its values are spaced in their logarithm.
+    /// Whether its values are spaced evenly in their logarithm.
     pub log: bool,
-    /// Steps from and to, over the unit of the row.
+    /// The range of steps, in units of the row.
     pub range: (f64, f64),
-    /// The rows, from the smallest parameter.
+    /// The rows, beginning with the smallest parameter.
     pub rows: Vec<Row>,
 }
 

@@ -25,7 +25,7 @@ pub(super) fn of_chain(
             header.who, law.kind, law.keyword
         ));
     }
-    // A bond stands in place of the other laws, so that each is looked at without the other.
+    // A bond replaces the force of the other laws, so the two are looked at separately.
     let mut bonds = Header { laws: header.bonds().cloned().into_iter().collect(), ..header.clone() };
     header.laws.retain(|l| l.known && !bonds.laws.contains(l));
     bonds.laws.retain(|l| l.known);
@@ -42,7 +42,7 @@ pub(super) fn of_chain(
     let of = |kind: usize| grains.iter().find(|g| g.kind as usize == kind);
     let mut all = Vec::new();
     for i in 1..=header.types {
-        // A wall is of the material that the scene has shown, or of any.
+        // The material of a wall is the one that the scene has shown; if nothing has touched it yet, it may be any.
         let met = |j: usize| c.pairs.iter().any(|p| p.types == [i, j]);
         let partners: Vec<usize> = match wall {
             false => (i..=header.types).filter(|j| of(*j).is_some()).collect(),
@@ -65,7 +65,7 @@ pub(super) fn of_chain(
     all
 }
 
-/// How fast bodies of these types meet at most \[m/s\].
+/// The largest speed at which bodies of these types can meet \[m/s\].
 fn fastest(seen: Option<&TypePair>, (gi, gj): (&Grains, Option<&Grains>)) -> f64 {
     let hardest = seen.and_then(|p| p.impact_speed.range()).map_or(0.0, |(_, most)| most);
     hardest.max(gi.fastest + gj.map_or(0.0, |g| g.fastest))
@@ -81,7 +81,7 @@ fn one(
 ) -> Option<Contact> {
     let seen = c.pairs.iter().find(|p| p.types == types);
     let chain = || header.chain().expect("it was made before");
-    // The smallest spheres are the fastest; a large partner may be worse for some laws.
+    // The smallest spheres oscillate fastest, but for some laws a large partner is worse.
     let ends = |g: Option<&Grains>| g.map_or(vec![0.0], |g| g.radius.to_vec());
     let sizes = ends(Some(gi)).into_iter().flat_map(|ri| ends(gj).into_iter().map(move |rj| [ri, rj]));
     let shots = sizes.map(|[ri, rj]| Shot {
@@ -101,7 +101,7 @@ fn one(
     if modes.tangential.stiffness > 0.0 || modes.tangential.damping > 0.0 {
         limits.push(limit("tangential", modes.tangential, centred));
     }
-    // A bond is infinitely stiff where its compression begins, which says nothing.
+    // A bond is infinitely stiff where its compression begins, so the fastest contact of the scene is not usable.
     let fastest = seen.filter(|_| c.header.bonds().is_none()).and_then(|p| met(&p.fastest));
     limits.extend(fastest.map(|m| limit("met in the scene", m, centred)));
     Some(Contact {
@@ -127,7 +127,7 @@ fn try_out(chain: &mut Chain, shot: &Shot, modes: &Modes, accuracy: f64) -> Opti
 }
 
 fn limit(name: &'static str, mode: Mode, centred: bool) -> Limit {
-    // With its damping centred, a mode is as stable as without.
+    // With `centredDamping` a mode is as stable as without damping.
     let bears = if centred { Mode { damping: 0.0, ..mode } } else { mode };
     Limit { name, turns: false, mode, critical: bears.step(), safe: bears.safe() }
 }
@@ -148,7 +148,7 @@ fn name(l: &LawSpec) -> String {
     format!("{}{}", l.keyword, if l.taken_over { "" } else { "/rs" })
 }
 
-/// A speed where nothing moves \[m/s\].
+/// The speed that is assumed if nothing moves \[m/s\].
 fn assumed(header: &Header, notes: &mut Vec<String>) -> f64 {
     let properties = || header.laws.iter().flat_map(|l| &l.properties);
     let named = properties().find(|p| p.name == prop::CHARACTERISTIC_VELOCITY.name);

@@ -1,15 +1,15 @@
-//! What is asked, and what is said of one kind of contact.
+//! The question, and the answer for one kind of contact.
 use granlaw::critical::Mode;
 use serde::Serialize;
 
-/// What is asked.
+/// The question.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     /// Largest mean relative error of the restitution of an impact.
     pub accuracy: f64,
     /// Speed of the impacts \[m/s\]; without it, the fastest that the scene shows.
     pub speed: Option<f64>,
-    /// How many bonds are taken to hold a particle.
+    /// How many bonds each particle is assumed to have.
     pub bonds: u32,
 }
 
@@ -28,17 +28,17 @@ pub struct Contact {
     pub radii: [f64; 2],
     /// The modes: along the normal, along the surface, and the fastest contact that the scene has shown; or those of a bond.
     pub limits: Vec<Limit>,
-    /// Of bonds: the fastest mode where every particle has as many of them as asked for. Linear theory's step is then a
-    /// lower bound.
+    /// Of bonds: the fastest mode if every particle has as many of them as asked for. The step of linear theory is then a lower
+    /// bound.
     pub together: Option<Limit>,
     /// Longest step for the accuracy \[s\]; `None` if no step that was tried is short enough, or if nothing was tried.
     pub accurate: Option<f64>,
 }
 
-/// A mode with the longest steps that it bears.
+/// A mode with its longest steps.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Limit {
-    /// Which.
+    /// Its name.
     pub name: &'static str,
     /// Whether it turns the bodies about each other: then stiffness is in N m/rad and mass in kg m².
     pub turns: bool,
@@ -51,7 +51,7 @@ pub struct Limit {
     pub safe: f64,
 }
 
-/// How a [`Mode`] stands in JSON.
+/// The fields of a [`Mode`] in JSON.
 #[derive(Serialize)]
 #[serde(remote = "Mode")]
 struct ModeFields {
