@@ -1,7 +1,7 @@
 //! How the sources lie: no circles of files or rooms, one style of modules, no long files.
 //!
-//! An arrow leads from a file to every other file of its crate that has what it names. A `mod.rs` or `lib.rs` that only hands
-//! a name on is passed through to the file that has it; what one has itself counts like any other file's.
+//! An arrow leads from a file to each file of its crate that declares a name which it uses. If a `mod.rs` or `lib.rs` only
+//! exports that name again, the arrow leads on to the file that declares it, so a front without code of its own is in no circle.
 #[path = "layout/circles.rs"]
 mod circles;
 #[path = "layout/imports.rs"]
@@ -17,10 +17,11 @@ use circles::{arrows, circles, told, without_fronts, Arrows};
 use sources::{files, modules};
 use std::path::{Path, PathBuf};
 
-/// Crates in which the front of a room holds what the room is about, a trait or an interface, and may call what stands in it.
+/// Crates in which the front of a room (`mod.rs`, `lib.rs`) may declare what the files of the room use, such as a trait or an interface,
+/// and use those files itself.
 const FRONTS_LEAD: [&str; 3] = ["src/core", "ffi/capi/src", "ffi/lanes/src"];
 
-/// Arrows that may close a circle: crate, from, to, and why.
+/// Arrows that may close a circle: crate, from, to, and the reason.
 const ALLOWED: &[[&str; 4]] = &[
     ["ffi/lanes/src", "unit/mod.rs", "pass.rs", "a unit is chosen where the pass is entered"],
     ["ffi/lanes/src", "chunk/mod.rs", "pass.rs", "what is not finite is named by the pass"],
@@ -43,7 +44,7 @@ const FLOORS: &[&[&str]] = &[
 
 /// The most lines of a file.
 const LONGEST: usize = 400;
-/// Files that may be longer, and why.
+/// Files that may be longer, and the reason.
 const LONGER: &[[&str; 2]] = &[];
 
 fn root() -> &'static Path {
