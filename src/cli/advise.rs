@@ -1,4 +1,5 @@
-//! `granlaw advise`: how simple a model a scene bears, and how large a step.
+//! `granlaw advise`: how simple a model is good enough for a scene, and how large a step.
+use crate::console;
 use anyhow::{bail, Context};
 use granlaw_tools::advise::check::{check, with, CheckError, Deeds, Runner};
 use granlaw_tools::advise::fresh::fresh;
@@ -15,10 +16,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// Find the simplest model and the largest step that a scene bears.
+/// Find the simplest model and the largest step that are good enough for a scene.
 ///
 /// The deck runs once with a probe in it, which counts what its contacts do. Examples of every important class of contacts
-/// are then lived through again by two bodies, with simpler laws (fitted where a property stands for an effect) and with
+/// are then repeated by two bodies alone, with simpler laws (fitted where a property stands for an effect) and with
 /// larger steps. What stays within the accuracy in every class is good enough; the cheapest is recommended, with the
 /// measurement behind it. Nothing is recommended that was not tried.
 #[derive(clap::Args)]
@@ -46,17 +47,17 @@ pub struct Args {
     /// Run the deck and the advised deck in full, and compare bulk observables and times: four runs.
     #[arg(long)]
     check: bool,
-    /// Run both decks so often, each time with another value of --fresh's variable, and compare means: one run cannot tell
-    /// what the advice does from chance.
+    /// Run both decks N times, each time with another value of --fresh's variable, and compare means: one run of each does
+    /// not tell the effect of the advice from chance.
     #[arg(long, value_name = "N", default_value_t = 1, requires = "check", value_parser = clap::value_parser!(u16).range(1..=200))]
     seeds: u16,
     /// Largest difference of a bulk observable.
     #[arg(long, value_name = "PART", default_value_t = rules::BULK, value_parser = error)]
     bound: f64,
-    /// Try the advised model on the contacts of another run, which --fresh tells apart from the first.
+    /// Try the advised model on the contacts of another run, which differs from the first by --fresh.
     #[arg(long)]
     held_out: bool,
-    /// The variable of the deck that gives the other run its start, and a value for it.
+    /// The variable of the deck that makes another run of it, such as a seed, and a value for it.
     #[arg(long, value_name = "NAME=VALUE", default_value = "seed=32452867", value_parser = variable)]
     fresh: (String, String),
     /// Check this deck in place of the one that is made from the advice.
@@ -72,7 +73,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Stop a run that takes longer than this.
-    #[arg(long, value_name = "SECONDS", default_value_t = 3600.0, value_parser = crate::verify::seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 3600.0, value_parser = console::seconds)]
     time_limit: f64,
 }
 
@@ -104,10 +105,10 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         let text = serde_json::to_string_pretty(&found)?;
         std::fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
-    crate::print(&advise::text(&found));
+    console::print(&advise::text(&found));
     if let Some(dir) = &args.out {
         write_page(&advise::page(&found, &probe, described(about)), dir)?;
-        crate::print(&format!("\n{}\n", dir.join("index.html").display()));
+        console::print(&format!("\n{}\n", dir.join("index.html").display()));
     }
     Ok(ExitCode::from(u8::from(!found.holds())))
 }
@@ -155,7 +156,7 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
         eprintln!("granlaw: nothing was tried, so there is nothing to hold fresh contacts against");
     }
     let (name, value) = &args.fresh;
-    // A deck that stays as it is has nothing to be compared with.
+    // If the advice is to leave the deck as it is, there is nothing to compare.
     let stays = found.advice.lines.is_empty() && args.advised.is_none();
     let many = if stays { 0 } else { usize::from(args.seeds) - 1 };
     let values = seeds(value, many.max(usize::from(held_out))).map_err(anyhow::Error::msg)?;
@@ -173,7 +174,8 @@ fn read(path: &Path) -> anyhow::Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The probes of runs with other contacts; those of the first are tried on the advice if they are `held_out`.
+/// Runs the deck with other values of the variable, and returns the probes. If `held_out` is asked for, the first of them follows
+/// all contacts, as the advice will be tried on those.
 fn again(
     runner: &Runner<'_>,
     text: &str,
@@ -219,7 +221,7 @@ fn advised(
         return Ok(());
     }
     eprintln!("granlaw: the advised deck runs with a probe, then both run without");
-    // A deck that somebody names may do anything; whether it does right is what the check is for.
+    // A deck from the user may hold anything; it is only judged by what it does.
     let expected = Some(rung).filter(|_| args.advised.is_none());
     found.check = Some(check(runner, (text, &made), did, expected, args.bound)?);
     Ok(())

@@ -1,4 +1,5 @@
 //! `granlaw bench`: what the Rust laws cost inside LIGGGHTS.
+use crate::console;
 use anyhow::Context;
 use granlaw_tools::bench::{self, Options};
 use granlaw_tools::liggghts::{self, Host, Plugin};
@@ -46,7 +47,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR", default_value = "granlaw-bench")]
     out: PathBuf,
     /// Stop a run that takes longer than this.
-    #[arg(long, value_name = "SECONDS", default_value_t = 600.0, value_parser = crate::verify::seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 600.0, value_parser = console::seconds)]
     time_limit: f64,
 }
 
@@ -70,12 +71,12 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     bar.enable_steady_tick(Duration::from_millis(500));
     let scenes =
         bench::run(&options, (&host, &plugin), &|doing| bar.set_message(doing.to_string()), &|scene| {
-            bar.suspend(|| crate::print(&bench::table(scene)))
+            bar.suspend(|| console::print(&bench::table(scene)))
         });
     bar.finish_and_clear();
     let scenes = scenes?;
     let page = bench::page(&scenes, &options, (&host, &plugin), [begin, bench::load()]);
     write_page(&page, &args.out)?;
-    crate::print(&format!("\n{}{}\n", bench::summary(&scenes), args.out.join("index.html").display()));
+    console::print(&format!("\n{}{}\n", bench::summary(&scenes), args.out.join("index.html").display()));
     Ok(ExitCode::from(page.exit_code()))
 }

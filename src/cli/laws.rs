@@ -1,4 +1,5 @@
-//! `granlaw laws`: what the laws say of themselves.
+//! `granlaw laws`: lists the laws and what they need.
+use crate::console;
 use anyhow::bail;
 use granlaw::law::{Entry, Kind, Need, Newton, Prop, Setting, Support};
 use granlaw::laws::LAWS;
@@ -32,7 +33,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     } else {
         list(&mut text, &laws)?;
     }
-    crate::print(&text);
+    console::print(&text);
     Ok(ExitCode::SUCCESS)
 }
 

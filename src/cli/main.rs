@@ -1,10 +1,10 @@
 //! The command line: one file per command; each turns its arguments into one call of the library.
 use clap::{Parser, Subcommand};
-use std::io::Write;
 use std::process::ExitCode;
 
 mod advise;
 mod bench;
+mod console;
 mod laws;
 mod replay;
 mod run;
@@ -58,22 +58,11 @@ fn main() -> ExitCode {
     })
 }
 
-/// The error with its causes, without those that it tells already.
+/// The error with its causes, without those whose text it already contains.
 fn told(error: &anyhow::Error) -> String {
     error.chain().map(ToString::to_string).fold(String::new(), |told, cause| match told.is_empty() {
         true => cause,
         false if told.contains(&cause) => told,
         false => format!("{told}: {cause}"),
     })
-}
-
-/// The largest difference that is allowed.
-fn tolerance(text: &str) -> Result<f64, String> {
-    let limit = text.parse().ok().filter(|x: &f64| x.is_finite() && *x >= 0.0);
-    limit.ok_or("must be a number, 0 or above, such as 1e-12".into())
-}
-
-/// To standard output; a reader that goes away early is no error.
-fn print(text: &str) {
-    let _ = std::io::stdout().write_all(text.as_bytes());
 }

@@ -1,4 +1,5 @@
 //! `granlaw replay`: recorded contact calls through the Rust laws.
+use crate::console;
 use anyhow::bail;
 use granlaw_tools::compare::Quantity;
 use granlaw_tools::replay::{replay, Replay};
@@ -21,7 +22,7 @@ pub struct Args {
     #[arg(required = true, value_name = "TRACE")]
     traces: Vec<PathBuf>,
     /// Largest error allowed, relative to the peak of each quantity.
-    #[arg(long, value_name = "ERROR", default_value_t = 1e-14, value_parser = crate::tolerance)]
+    #[arg(long, value_name = "ERROR", default_value_t = 1e-14, value_parser = console::tolerance)]
     tolerance: f64,
 }
 
@@ -39,7 +40,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         agreed &= good;
         let mut text = String::new();
         describe(&mut text, path, &replay, good, args.tolerance)?;
-        crate::print(&text);
+        console::print(&text);
     }
     Ok(ExitCode::from(u8::from(!agreed)))
 }

@@ -1,4 +1,5 @@
 //! `granlaw run`: LIGGGHTS with the plugin.
+use crate::console;
 use anyhow::{bail, Context};
 use granlaw_tools::liggghts::{Host, Laws, Plugin, Preload, Route};
 use std::os::unix::process::CommandExt;
@@ -38,11 +39,11 @@ pub struct Args {
     /// Count what the contacts do, and write it to this file as JSON; the laws are those of --laws, by default LIGGGHTS's own.
     #[arg(long, value_name = "FILE")]
     probe: Option<PathBuf>,
-    /// Hold the Rust laws against LIGGGHTS's own in every contact call.
+    /// Compare the Rust laws with LIGGGHTS's own in every contact call.
     #[arg(long)]
     shadow: bool,
-    /// Largest difference allowed, relative to the forces that the laws add up in a call. None is the claim, so 0 is the default.
-    #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = crate::tolerance)]
+    /// Largest difference allowed, relative to the forces that the laws add up in a call. By default 0, as the laws are meant to agree to the last bit.
+    #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = console::tolerance)]
     tolerance: f64,
     /// Say once for each pair of types when the time step is too long for a contact or a bond, with the figures; contacts then go one by one.
     #[arg(long)]
@@ -110,13 +111,13 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     };
     let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
     command.args(&args.liggghts);
-    // This process becomes LIGGGHTS, so that no signal or status can be lost on the way.
+    // This process becomes LIGGGHTS, so that no signal or exit status can be lost in between.
     let failed = command.exec();
     Err(failed).with_context(|| format!("cannot start {}", command.get_program().to_string_lossy()))
 }
 
-/// The file name of the deck that LIGGGHTS is given, if it is given one; it must be readable, because LIGGGHTS itself
-/// ends without a word where it is not.
+/// The file name of the deck in LIGGGHTS's arguments, if there is one. It must be readable: LIGGGHTS itself ends without a
+/// message if it is not.
 fn deck(liggghts: &[String]) -> anyhow::Result<Option<String>> {
     let at = liggghts.iter().position(|a| a == "-in" || a == "-i");
     let Some(path) = at.and_then(|k| liggghts.get(k + 1)).map(Path::new) else { return Ok(None) };

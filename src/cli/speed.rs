@@ -1,4 +1,5 @@
 //! `granlaw speed`: what each method costs, and how wrong it is.
+use crate::console;
 use anyhow::Context;
 use clap::builder::PossibleValuesParser;
 use granlaw_tools::liggghts;
@@ -12,9 +13,9 @@ use std::time::{Duration, Instant};
 
 /// Chart the error of every method against its cost.
 ///
-/// Impacts with every normal law, head-on and oblique, in LIGGGHTS as it is, in LIGGGHTS with the Rust laws and their
-/// settings centredDamping and touchFraction, and here with better integrators, each over its step. Takes about a minute
-/// and a half. Costs are measured: let nothing else run meanwhile.
+/// Impacts with every normal law, head-on and oblique, a sphere that rolls to rest, and bonds: in LIGGGHTS as it is, in LIGGGHTS with
+/// the Rust laws, with and without their settings centredDamping and touchFraction, and here with better integrators, each over
+/// its time step. Takes about a minute and a half. Costs are measured: let nothing else run meanwhile.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   granlaw speed
@@ -47,7 +48,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     finish(&speed::page(&study, &options), &args.out)
 }
 
-/// What a study is asked for, with LIGGGHTS and the plugin if they are here.
+/// The options of a study, with LIGGGHTS and the plugin if they are found.
 pub fn options(only: &[String], full: bool) -> anyhow::Result<Options> {
     ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
     let bench = Bench::find(Duration::from_secs(120));
@@ -58,13 +59,13 @@ pub fn options(only: &[String], full: bool) -> anyhow::Result<Options> {
     Ok(Options { only: only.to_vec(), full, bench, command })
 }
 
-/// Says on standard error what is done, with the time since the beginning.
+/// Reports progress on standard error, with the time since the beginning.
 pub fn progress() -> impl Fn(&str) + Sync {
     let begun = Instant::now();
     move |what: &str| eprintln!("{:>6.1} s  {what}", begun.elapsed().as_secs_f64())
 }
 
-/// Writes the page and says what it says.
+/// Writes the page, and prints its summary.
 pub fn finish(page: &Page, out: &Path) -> anyhow::Result<ExitCode> {
     write_page(page, out)?;
     let mut text = format!("{}\n", page.headline);
@@ -77,6 +78,6 @@ pub fn finish(page: &Page, out: &Path) -> anyhow::Result<ExitCode> {
         };
     }
     page.about.notes.iter().for_each(|note| text += &format!("{note}\n"));
-    crate::print(&format!("{text}{}\n", out.join("index.html").display()));
+    console::print(&format!("{text}{}\n", out.join("index.html").display()));
     Ok(ExitCode::from(page.exit_code()))
 }

@@ -8,9 +8,9 @@ use std::process::ExitCode;
 
 /// Map where LIGGGHTS's time integration fails.
 ///
-/// For each law, what becomes of an impact, or of a sphere at rest, over the time step and one parameter: errors, energy from
-/// nothing, blow-up; with the borders that theory draws and those of LIGGGHTS's own check of the step. LIGGGHTS itself is
-/// asked at places on both sides of the borders that are found. Takes about a minute.
+/// For each law, what becomes of an impact, of a sphere at rest, or of bonds, over the time step and one parameter: errors, energy from
+/// nothing, blow-up; with the limits of theory and those of LIGGGHTS's own check of the step. LIGGGHTS itself is run at
+/// places on both sides of the borders that are found. Takes about a minute.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   granlaw stability

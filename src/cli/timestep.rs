@@ -1,4 +1,5 @@
 //! `granlaw timestep`: how long the time step of a deck may be.
+use crate::console;
 use anyhow::{bail, Context};
 use granlaw_tools::deck::Deck;
 use granlaw_tools::liggghts::{self, Folder, Host, Laws, Plugin, Preload};
@@ -32,10 +33,10 @@ pub struct Args {
     /// Speed of the impacts; without it, the fastest that the watched steps show.
     #[arg(long, value_name = "V", value_parser = above_zero)]
     speed: Option<f64>,
-    /// How many bonds are taken to hold a particle: 2 of a chain, 12 of a closest packing.
+    /// How many bonds each particle is assumed to have: 2 in a chain, 12 in a closest packing.
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
     bonds: u32,
-    /// How many steps of the deck are watched. Particles that are inserted later are not seen.
+    /// How many steps of the deck are run and watched. Particles that are inserted later are not seen.
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
     /// Seconds after which the run is stopped.
@@ -60,13 +61,13 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         bail!("{}: no contact to look at: {}", args.deck.display(), advice.notes.join("; "));
     };
     match args.json {
-        true => crate::print(&(serde_json::to_string_pretty(&advice)? + "\n")),
-        false => crate::print(&told(&args.deck, &advice)),
+        true => console::print(&(serde_json::to_string_pretty(&advice)? + "\n")),
+        false => console::print(&told(&args.deck, &advice)),
     }
     Ok(ExitCode::from(u8::from(advice.dt > recommended)))
 }
 
-/// The first steps of the deck, watched.
+/// Runs the first steps of the deck with a probe.
 fn watch(args: &Args) -> anyhow::Result<Probe> {
     let deck = Deck::read(&args.deck)?;
     let (host, plugin) = (Host::find()?, Plugin::find()?);
@@ -161,7 +162,7 @@ fn limit(l: &Limit, name: &str) -> String {
     format!("  {name:<18}{k:>14}{gamma:>16}{mass:>12}{critical:>12}{safe:>12}\n")
 }
 
-/// Three digits.
+/// A number to three digits.
 fn n(x: f64) -> String {
     match x.abs() {
         0.0 => "0".into(),

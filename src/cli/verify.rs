@@ -1,4 +1,5 @@
 //! `granlaw verify`: decks in, a verdict on each out.
+use crate::console;
 use anyhow::Context;
 use granlaw_tools::liggghts;
 use granlaw_tools::report::{self, Case, Check, Counts, Outcome, Report};
@@ -38,7 +39,7 @@ pub struct Args {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<(usize, usize)>,
     /// Stop a run that takes longer than this.
-    #[arg(long, value_name = "SECONDS", default_value_t = 120.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 120.0, value_parser = console::seconds)]
     time_limit: f64,
     /// Refuse to go on without LIGGGHTS and plugin.
     #[arg(long)]
@@ -48,11 +49,6 @@ pub struct Args {
 fn shard(text: &str) -> Result<(usize, usize), String> {
     let parts = text.split_once('/').and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
     parts.filter(|(k, n)| (1..=*n).contains(k)).ok_or("must be K/N with 1 <= K <= N, for instance 1/4".into())
-}
-
-pub fn seconds(text: &str) -> Result<f64, String> {
-    let limit = text.parse().ok().filter(|s: &f64| *s > 0.0 && *s < 1e9);
-    limit.ok_or("must be a number of seconds above 0".into())
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
@@ -73,13 +69,13 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     }
     let bar = progress(plan.cases());
     let report = plan.run(&|case| {
-        bar.suspend(|| crate::print(&line(case)));
+        bar.suspend(|| console::print(&line(case)));
         bar.inc(1);
     });
     bar.finish_and_clear();
     let report = report?;
     report::write_all(&report, &args.out)?;
-    crate::print(&ending(&report, args));
+    console::print(&ending(&report, args));
     Ok(ExitCode::from(report.exit_code()))
 }
 

@@ -1,6 +1,6 @@
-//! Replay: every recorded call once more through the Rust laws, on the recorded inputs.
+//! Replay: every recorded call is evaluated again by the Rust laws, on the recorded inputs.
 //!
-//! Each call stands alone: it begins with the recorded history, so errors cannot add up and a trace may be thinned.
+//! Each call is independent: it begins with the recorded history, so errors do not add up, and a trace may be thinned.
 //! The error of a quantity is its largest difference over the trace relative to its peak; see [`Quantity`].
 use crate::compare::{across, gap, Follow, Quantity, Spot};
 use crate::report::Curve;
@@ -18,7 +18,7 @@ pub enum ReplayError {
     /// It cannot be read.
     #[error(transparent)]
     Trace(#[from] TraceError),
-    /// Its chain cannot be built here.
+    /// Its chain cannot be built from the Rust laws.
     #[error("{file}: {source}")]
     Header {
         /// The trace.
@@ -28,12 +28,12 @@ pub enum ReplayError {
     },
 }
 
-/// What a replay found.
+/// The result of a replay.
 #[derive(Clone, Debug)]
 pub struct Replay {
     /// The header at the top of the trace.
     pub header: Header,
-    /// Calls replayed.
+    /// Number of calls replayed.
     pub calls: u64,
     /// Those of them in which the surfaces overlap or a law acts across the gap.
     pub touches: u64,
@@ -163,7 +163,7 @@ impl Sums {
     fn add(&mut self, line: u64, row: &Row, again: &Again) {
         let at = Spot { step: row.gap.call.step, tags: (row.gap.i.tag, row.gap.j.tag), line };
         let s = &again.stage;
-        // LIGGGHTS hands a wall no force.
+        // LIGGGHTS applies no force to a wall.
         let on_j = if row.gap.call.is_wall { Vector3::zeros() } else { -s.force };
         self.force.vector(at, &s.force, &row.force_i);
         self.force.vector(at, &on_j, &row.force_j);

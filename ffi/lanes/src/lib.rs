@@ -13,13 +13,16 @@ mod list;
 mod near;
 mod pass;
 mod seen;
+mod trouble;
 mod unit;
 
 pub use arrays::Arrays;
-pub use pass::{NonFinite, Trouble};
+pub use trouble::{NonFinite, Trouble};
 pub use unit::Width;
 
+use granlaw::lane::Pack;
 use granlaw::law::{LawError, Setup};
+use pass::Pass;
 
 /// A chain that runs over all contacts of a step at once.
 pub trait Batch {
@@ -51,7 +54,16 @@ pub fn batch(
     places: &[Vec<usize>],
     width: Width,
 ) -> Result<Option<Box<dyn Batch>>, LawError> {
-    unit::batch(setups, places, width)
+    // The only place that chooses a unit, after asking the processor for it.
+    match width {
+        Width::One => Pass::<f64>::boxed(setups, places),
+        #[cfg(target_arch = "x86_64")]
+        Width::Four if unit::has_avx2() => Pass::<unit::avx2::Avx2>::boxed(setups, places),
+        #[cfg(target_arch = "x86_64")]
+        Width::Eight if unit::has_avx512() => Pass::<unit::avx512::Avx512>::boxed(setups, places),
+        Width::Four => Pass::<Pack<4>>::boxed(setups, places),
+        Width::Eight => Pass::<Pack<8>>::boxed(setups, places),
+    }
 }
 
 /// The same, as wide as suits each neighbour list: one contact at a time among a handful of particles, else

@@ -5,33 +5,11 @@ use crate::kernel::{Kernel, Kernels};
 use crate::list::List;
 use crate::near::Near;
 use crate::seen::{size, Seen};
+use crate::trouble::Trouble;
 use crate::unit::Unit;
 use crate::Batch;
 use granlaw::law::{Call, LawError, Mark, Setup};
 use granlaw::laws::all;
-use thiserror::Error;
-
-/// Why a pass was not carried out.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum Trouble {
-    /// An array is missing, or an index leads out of its array.
-    #[error("{0}")]
-    Arrays(&'static str),
-    /// A contact with NaN or infinite kinematics; its forces were not added.
-    #[error("a contact is not finite")]
-    NonFinite(NonFinite),
-}
-
-/// A contact that is not finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NonFinite {
-    /// The particles, as indices into the arrays.
-    pub i: usize,
-    pub j: usize,
-    /// Overlap \[m\] and normal velocity \[m/s\].
-    pub deltan: f64,
-    pub vn: f64,
-}
 
 /// A neighbour without a fit.
 const NONE: u32 = u32::MAX;

@@ -3,23 +3,24 @@ use super::rules::BULK;
 use crate::probe::{Bulk, Sample};
 use serde::Serialize;
 
-/// Into so many parts of equal time a run is cut for means over time.
+/// A run is cut into this many parts of equal time, over which means are taken.
 const PARTS: usize = 4;
 /// Moments at which histories are compared.
 const MOMENTS: usize = 200;
-/// A scene whose mass changes by less than this part of it does not flow.
+/// If the mass of a scene changes by less than this fraction, nothing flows out of it.
 const FLOWS: f64 = 0.05;
 
 /// A bulk observable of two decks.
 #[derive(Clone, Debug, Serialize)]
 pub struct Observable {
-    /// What.
+    /// Which quantity.
     pub name: &'static str,
-    /// How its difference is meant.
+    /// What the difference is taken of, and relative to what.
     pub meaning: &'static str,
     /// The difference; of several runs, that of their means.
     pub difference: f64,
-    /// What as many runs of the deck differ from as many with other seeds; `None` where it ran once.
+    /// The difference that chance alone makes: between as many runs of the deck with these seeds and as many with others.
+    /// `None` where the deck ran once.
     pub scatter: Option<f64>,
 }
 
@@ -35,7 +36,7 @@ pub fn bound() -> f64 {
     BULK
 }
 
-/// Everything that can be compared of the runs of two decks, each with the same seeds; `other` is one more of the first.
+/// Compares the runs of two decks, both with the same seeds; `other` is one more run of the first deck.
 pub fn compare(deck: &[&Bulk], advised: &[&Bulk], other: Option<&Bulk>) -> Vec<Observable> {
     let scatter = match (deck, other) {
         ([one], Some(other)) => vec![(1.0, differences(&[one], &[other]))],
@@ -50,8 +51,8 @@ pub fn compare(deck: &[&Bulk], advised: &[&Bulk], other: Option<&Bulk>) -> Vec<O
     found.collect()
 }
 
-/// Half of the runs against the other half, in as many ways as there are runs; times what makes it the scatter of all, as
-/// the variance of a mean falls with the number of runs.
+/// The scatter of the mean of all runs: half of the runs are compared with the other half, in as many ways as there are runs.
+/// Each half has half the runs, so its mean scatters more than that of all; the result is scaled down for that.
 fn halves(runs: &[&Bulk]) -> Vec<(f64, Vec<Difference>)> {
     let (n, half) = (runs.len(), runs.len() / 2);
     if half == 0 {
@@ -213,7 +214,7 @@ fn over(a: Vec<f64>, b: Vec<f64>) -> f64 {
     apart / a.iter().sum::<f64>()
 }
 
-/// The larger; NaN is worse than anything.
+/// The larger of the two; NaN counts as larger than any number.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::NAN

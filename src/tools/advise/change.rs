@@ -4,7 +4,7 @@ use granlaw::law::{Entry, Kind, Settings};
 use granlaw::laws::{prop, LAWS};
 use serde::Serialize;
 
-/// One thing that is made otherwise.
+/// One change to the laws.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Change {
@@ -22,7 +22,7 @@ fn kind<S: serde::Serializer>(k: &Kind, s: S) -> Result<S::Ok, S::Error> {
 
 /// The settings of [`Change::Timed`].
 const TIMED: [&str; 2] = [prop::CENTRED_DAMPING.name, prop::TOUCH_FRACTION.name];
-/// Properties that are fitted where a law needs them: they stand for an effect rather than for a material.
+/// Properties that are fitted to the scene where a law needs them: they describe an effect, not a material.
 pub(super) const FITTED: [&str; 2] = [prop::RESTITUTION.name, prop::CHARACTERISTIC_VELOCITY.name];
 
 impl Change {
@@ -43,7 +43,7 @@ impl Change {
         }
     }
 
-    /// The chain with this change; `None` where it changes nothing or cannot be.
+    /// The chain with this change; `None` if it would change nothing or is not possible.
     pub fn apply(&self, from: &Header) -> Option<Header> {
         let mut to = from.clone();
         match self {
@@ -76,7 +76,7 @@ pub fn simpler(chains: &[Header]) -> Vec<Change> {
             continue;
         }
         for meta in LAWS.iter().map(|e| e.meta).filter(|m| m.kind == k) {
-            // Less history is simpler; of normal laws, no more of it.
+            // A law with less history is simpler; a normal law with as much counts too.
             let slots = laws(k).map(slots).min().unwrap_or(0);
             let less = meta.slots.len() < slots || (k == Kind::Normal && meta.slots.len() == slots);
             if less && laws(k).all(|l| l.keyword != meta.keyword) {
@@ -96,12 +96,12 @@ fn slots(l: &LawSpec) -> usize {
     l.kind().and_then(|k| granlaw::laws::find(k, &l.keyword)).map_or(0, |e| e.meta.slots.len())
 }
 
-/// A law in the place of another: with the settings that both know, and the properties of the whole chain.
+/// Puts a law in the place of another. It takes over the settings that both know, and its properties come from the whole chain.
 fn law(law: &'static Entry, old: &LawSpec, chain: &Header) -> Option<LawSpec> {
     let meta = law.meta;
     let mut settings = Settings::new(law, old.taken_over);
     for (name, option) in &old.settings {
-        // What the new law does not know is left out.
+        // Settings that the new law does not know are left out.
         let _ = settings.set(name, option);
     }
     let given = |name: &str| chain.laws.iter().flat_map(|l| &l.properties).find(|p| p.name == name);
@@ -125,7 +125,7 @@ fn law(law: &'static Entry, old: &LawSpec, chain: &Header) -> Option<LawSpec> {
     })
 }
 
-/// Histories one behind the other.
+/// Lays the histories of the laws one behind the other.
 fn repack(h: &mut Header) {
     h.slots.clear();
     for l in &mut h.laws {

@@ -1,4 +1,4 @@
-//! Advice held to the whole scene: the deck and the advised deck run, and their bulk observables and times are compared.
+//! Checks advice on the whole scene: the deck and the advised deck run, and their bulk observables and times are compared.
 use super::bulk::{compare, Observable};
 use super::ladder::Rung;
 use super::rewrite::RewriteError;
@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::time::Duration;
 use thiserror::Error;
 
-/// What came of it.
+/// The result of a check.
 #[derive(Clone, Debug, Serialize)]
 pub struct Check {
     /// The advised deck.
@@ -40,7 +40,7 @@ impl Check {
     }
 }
 
-/// Why there is no answer.
+/// Why a check has no result.
 #[derive(Debug, Error)]
 pub enum CheckError {
     /// A run failed.
@@ -58,12 +58,12 @@ pub enum CheckError {
     /// The advised deck is not what was advised.
     #[error("the advised deck did not become what was advised: {0}; write it by hand and name it with --advised FILE")]
     Other(String),
-    /// Two runs were to differ and did not.
+    /// Two runs should have differed and did not.
     #[error("a run with {0} had the very contacts of the first; let the deck draw its start from a variable and name it with --fresh NAME=VALUE")]
     Same(String),
 }
 
-/// Runs a deck and others like it.
+/// Runs a deck, and changed versions of it.
 pub struct Runner<'a> {
     /// LIGGGHTS.
     pub host: &'a Host,
@@ -76,7 +76,7 @@ pub struct Runner<'a> {
 }
 
 impl Runner<'_> {
-    /// The probe of a run of this text in place of the deck; where its contacts are wanted, it follows them `closely`.
+    /// Runs this text in place of the deck, with a probe, and returns what the probe saw. `closely` follows all contacts.
     ///
     /// # Errors
     /// The run fails.
@@ -88,7 +88,7 @@ impl Runner<'_> {
         Ok(Probe::read(&path)?)
     }
 
-    /// The probes of runs of these texts; several at a time, unless each takes several processors itself.
+    /// The same for several texts. They run at the same time, unless each needs several processors.
     ///
     /// # Errors
     /// A run fails.
@@ -99,7 +99,7 @@ impl Runner<'_> {
         texts.par_iter().with_max_len(1).map(|t| self.probe(t, closely)).collect()
     }
 
-    /// The time of a plain run \[s\].
+    /// The time of a run without a probe \[s\].
     ///
     /// # Errors
     /// The run fails.
@@ -118,20 +118,20 @@ impl Runner<'_> {
     }
 }
 
-/// The deck with a variable of another value: a variable that is set already keeps its value.
+/// The deck with another value of a variable. The value is set in front, as a variable that is set already keeps its value.
 pub fn with(deck: &str, variable: &str, value: &str) -> String {
     format!("variable {variable} index {value}\n{deck}")
 }
 
-/// What the deck did.
+/// The runs of the deck that the advised deck is compared with.
 #[derive(Clone, Copy, Debug)]
 pub struct Deeds<'a> {
-    /// As it is.
+    /// The run of the deck as it is.
     pub first: &'a Probe,
-    /// With other values of a variable; each is a run that the advised deck is to be held to, or else there is one, for scatter
-    /// alone.
+    /// Runs with other values of the variable. The advised deck is compared with each of them; if `values` is empty, there is
+    /// one, which only shows how much two runs of the deck differ.
     pub others: &'a [Probe],
-    /// The variable, and the values for which the advised deck is to run too.
+    /// The variable, and the values with which the advised deck runs too.
     pub variable: &'a str,
     /// See `variable`.
     pub values: &'a [String],

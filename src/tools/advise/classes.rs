@@ -1,12 +1,12 @@
 //! Which classes of contacts count, and what they are called.
+use super::group::{Contacts, Group};
 use super::held::Held;
 use super::lived::Rebound;
 use super::rules::{COVERED, IMPORTANT};
-use super::scene::{Contacts, Group};
 use crate::probe::{self, Class, Drawn, Impact, Pressed, TypePair};
 
-/// Leaves the classes that count: those with a share of their own, and the next larger ones as far as they are needed to
-/// cover the scene.
+/// Removes the classes that do not count. Those with a large enough share stay, and then the largest of the others until the scene is
+/// covered.
 pub(super) fn counting(groups: &mut Vec<Group>) {
     let mut counts: Vec<bool> =
         groups.iter().map(|g| g.likely.max(g.impulse).max(g.dissipated) >= IMPORTANT).collect();
@@ -25,7 +25,7 @@ pub(super) fn counting(groups: &mut Vec<Group>) {
     groups.retain(|_| counts.next() == Some(true));
 }
 
-/// What shares are of.
+/// The sums over the whole scene, of which each class has a share.
 pub(super) struct Sums {
     pub count: f64,
     pub impulse: f64,
@@ -50,7 +50,7 @@ impl Sums {
         c: &Class<T>,
         impact: bool,
     ) -> Group {
-        // Each that was seen stands for so many.
+        // Only a sample was followed: each contact that was seen stands for this many.
         let (many, each) = (c.count as f64, from.share as f64);
         let share = |x: f64, of: f64| if of > 0.0 { x / of } else { 0.0 };
         let [a, b] = p.types;
@@ -67,7 +67,7 @@ impl Sums {
     }
 }
 
-/// What a class keeps examples of.
+/// The kinds of example that a class can hold.
 pub(super) trait Kept: Sized {
     fn words(octave: i32, slant: u8) -> String;
     fn contacts(of: &[Drawn<Self>]) -> Contacts;
@@ -93,7 +93,7 @@ impl Kept for Pressed {
     }
 }
 
-/// A power of two with two digits.
+/// Two to the power `octave`, to two digits.
 fn power(octave: i32) -> String {
     let x = f64::from(octave).exp2();
     let digits = (1 - x.log10().floor() as i32).max(0) as usize;

@@ -1,47 +1,17 @@
-//! What a run takes, and what evaluating a chain costs, measured on the scene's own contacts.
-use super::scene::{Contacts, Scene};
-use crate::probe::Probe;
+//! What evaluating a chain costs, measured on the scene's own contacts.
+use super::group::Contacts;
+use super::scene::Scene;
 use crate::trace::{Header, HeaderError};
 use granlaw::law::{Call, Contact, Gap, Stage, Surface};
 use nalgebra::Vector3;
 use std::time::Instant;
 
-/// Contacts per round, and rounds; the fastest counts, as nothing makes a round faster than it is.
+/// Contacts per round, and number of rounds. The fastest round counts: other programs can only slow a round down.
 const CONTACTS: usize = 512;
 const ROUNDS: usize = 25;
 
-/// The time that the probed run took.
-#[derive(Clone, Copy, Debug)]
-pub struct Pace {
-    /// Processor time per contact call, of all that is done step by step \[ns\].
-    per_call: f64,
-    /// Time that does not grow with the number of steps, over that which does: the start, and neighbour lists, which are made by
-    /// distance travelled.
-    fixed: f64,
-}
-
-impl Pace {
-    /// That of a probe, without what following contacts took; the rest of the probe's own cost is in it.
-    pub(super) fn of(probe: &Probe) -> Pace {
-        let calls: u64 = probe.chains.iter().map(|c| c.calls).sum();
-        let (t, ranks) = (&probe.times, probe.ranks.max(1) as f64);
-        // Where others were at work on the machine, the processor's time tells what the run took.
-        let whole = if t.processor > 0.0 { t.processor / ranks } else { probe.seconds };
-        let lists = if probe.seconds > 0.0 { t.lists * whole / probe.seconds } else { 0.0 };
-        let steps = (whole - lists - t.probe / ranks).max(0.0);
-        let fixed = if steps > 0.0 { (t.start + lists) / steps } else { 0.0 };
-        Pace { per_call: 1e9 * steps * ranks / calls.max(1) as f64, fixed }
-    }
-
-    /// Time of a run with laws of another cost \[ns per contact\] and another step, relative to the one that was probed.
-    pub(super) fn relative(&self, (was, is): (f64, f64), steps: f64) -> f64 {
-        let each = 1.0 + (is - was) / self.per_call.max(was);
-        (self.fixed + each * steps) / (self.fixed + 1.0)
-    }
-}
-
-/// Time to evaluate the laws on a contact \[ns\], over the chains by their calls. It is measured, and varies by a few
-/// hundredths from time to time.
+/// Time to evaluate the laws on one contact \[ns\]: the mean over the chains, weighted by their calls. It is measured, and varies
+/// by a few per cent from one measurement to the next.
 ///
 /// # Errors
 /// A law refuses.
@@ -68,7 +38,7 @@ pub(super) fn per_contact(scene: &Scene, chains: &[Header]) -> Result<f64, Heade
     Ok(sum / calls)
 }
 
-/// Contacts of a chain as they might be met: half way into the impacts that were kept.
+/// Contacts of a chain to time the laws on: the impacts and loads that the probe kept, at half of their largest overlap.
 fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
     let impacts = scene.groups.iter().filter(|g| g.chain == chain).flat_map(|g| match &g.contacts {
         Contacts::Impacts(all) => all.iter().map(|(i, _)| (i.partners, i.v, i.slip, i.end.overlap)).collect(),
@@ -97,28 +67,4 @@ fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
         ((p.types[0] - 1, p.types[1] - 1), Contact { gap, surface })
     };
     impacts.map(one).collect::<Vec<_>>().into_iter().cycle().take(CONTACTS).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::probe::{self, Times};
-
-    #[test]
-    fn what_does_not_grow_with_the_steps_is_not_saved() {
-        let chains = vec![probe::Contacts { calls: 4_000_000, ..probe::Contacts::default() }];
-        let times = Times { start: 0.5, lists: 0.5, processor: 3.0, probe: 0.5 };
-        let mut probe = Probe { ranks: 1, seconds: 6.0, times, chains, ..Probe::default() };
-        // The machine was busy: of 6 s only half were ours, half a second of that the probe's. So 2.25 s of steps, 0.25 s of
-        // lists and half a second to start.
-        let pace = Pace::of(&probe);
-        assert!((pace.per_call - 562.5).abs() < 1e-9 && (pace.fixed - 0.75 / 2.25).abs() < 1e-12, "{pace:?}");
-        assert!((pace.relative((50.0, 50.0), 0.1) - (0.75 + 0.225) / 3.0).abs() < 1e-12);
-        assert_eq!(pace.relative((50.0, 50.0), 1.0), 1.0);
-        // Laws that cost 56 ns more make each step a tenth longer.
-        assert!((pace.relative((50.0, 106.25), 1.0) - (0.75 + 2.475) / 3.0).abs() < 1e-12);
-        // A probe that does not know its times: everything goes by steps.
-        probe.times = Times::default();
-        assert!((Pace::of(&probe).relative((50.0, 50.0), 0.1) - 0.1).abs() < 1e-12);
-    }
 }

@@ -1,14 +1,14 @@
-//! What a chain gets wrong of contacts that are lived through again.
+//! The errors of a chain on contacts that are repeated.
 use super::held::Held;
 use super::lived::Rebound;
 use crate::probe::{Impact, Pressed};
 use serde::Serialize;
 
-/// How many standard errors the mean of so many contacts may be off.
+/// From a number of contacts, how many standard errors are added to their mean error.
 pub type Sure = fn(usize) -> f64;
 
-/// What a chain gets wrong of a class: the mean over its contacts, and on top what that mean may be off ([`Sure`]), so that
-/// other contacts of the class may be expected to come out no worse.
+/// The errors of a chain on a class of contacts: the mean over the contacts, plus a margin for how far that mean may be off
+/// ([`Sure`]), so that other contacts of the class can be expected to do no worse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Errors {
     /// Normal speed afterwards over that before, absolute.
@@ -33,13 +33,13 @@ impl Errors {
         [restitution, time, spin, overlap, shear, torque, tension]
     }
 
-    /// Of one contact that began at two moments of a step.
+    /// The errors of one contact: the mean of two runs that began at different moments of a step.
     pub(super) fn halfway([mut a, mut b]: [Errors; 2]) -> Errors {
         a.all().into_iter().zip(b.all()).for_each(|(a, b)| *a = 0.5 * (*a + *b));
         a
     }
 
-    /// Of many contacts; `sure` says how many standard errors a mean of so many may be off.
+    /// The errors of many contacts; `sure` gives the margin.
     pub(super) fn mean(mut of: Vec<Errors>, sure: Sure) -> Errors {
         let (n, factor) = (of.len() as f64, sure(of.len()));
         let mut mean = Errors::default();
@@ -47,14 +47,14 @@ impl Errors {
             let values: Vec<f64> = of.iter_mut().map(|e| *e.all()[k]).collect();
             let m = values.iter().sum::<f64>() / n;
             let square = values.iter().map(|x| (x - m) * (x - m)).sum::<f64>();
-            // One alone: see `rules::sure`. Without a margin it stands for itself.
+            // One contact alone shows no scatter; `rules::sure` says what is done then. Without a margin its error is taken as it is.
             let alone = if factor > 1.0 { m } else { 0.0 };
             *out = m + factor * if n > 1.0 { (square / (n - 1.0) / n).sqrt() } else { alone };
         }
         mean
     }
 
-    /// The largest with its name; contact time counts as far as it is asked for less closely.
+    /// The largest error with its name; that of contact time is divided by `time` first.
     pub fn worst(&self, time: f64) -> (&'static str, f64) {
         let all = [
             ("restitution", self.restitution),
@@ -75,14 +75,14 @@ impl Errors {
         }
     }
 
-    /// Whether all are within what is asked for: the accuracy, and for contact times a multiple of it.
+    /// Whether all errors are within the accuracy; that of contact time may be `time` times as large.
     pub fn within(&self, accuracy: f64, time: f64) -> bool {
         let rest = [self.restitution, self.spin, self.overlap, self.shear, self.torque, self.tension];
         rest.iter().all(|e| *e <= accuracy) && self.time <= accuracy * time
     }
 }
 
-/// The larger; NaN is worse than anything.
+/// The larger of the two; NaN counts as larger than any number.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::INFINITY
@@ -91,14 +91,14 @@ fn worse(a: f64, b: f64) -> f64 {
     }
 }
 
-/// Of an impact, against the truth.
+/// The errors of one impact, against the truth.
 pub(super) fn wrong(i: &Impact, truth: &Rebound, got: &Rebound) -> Errors {
     let speed = i.v[0].hypot(i.slip);
     let spin = |k: usize| (got.spin[k] - truth.spin[k]).norm() * i.partners.radius[k] / speed;
     let time = match (truth.time.is_finite(), got.time.is_finite()) {
         (true, true) => (got.time / truth.time - 1.0).abs(),
         (false, false) => 0.0,
-        // One sticks and the other does not.
+        // Only one of the two sticks.
         _ => 1.0,
     };
     Errors {
@@ -109,7 +109,7 @@ pub(super) fn wrong(i: &Impact, truth: &Rebound, got: &Rebound) -> Errors {
     }
 }
 
-/// Of a load, against the truth.
+/// The errors of one load, against the truth.
 pub(super) fn astray(l: &Pressed, truth: &Held, got: &Held) -> Errors {
     let torque = |k: usize| (got.torque[k] - truth.torque[k]).abs();
     let root = |h: &Held| (h.overlap / l.partners.reff()).sqrt();
@@ -138,10 +138,10 @@ mod tests {
         let off = 0.005 * (12.0f64 / 11.0).sqrt() / 12f64.sqrt();
         assert!((of(&twelve, |_| 1.0) - (0.015 + off)).abs() < 1e-12);
         assert!((of(&twelve, sure) - (0.015 + (1.0 + 2f64.sqrt() * 1.796) * off)).abs() < 1e-12);
-        // Two tell next to nothing, and one less.
+        // Two contacts say little about the scatter, and one even less.
         assert!((of(&[0.01, 0.02], sure) - (0.015 + (1.0 + 2f64.sqrt() * 6.314) * 0.005)).abs() < 1e-12);
         assert!(of(&[0.01], sure) > 0.1 && of(&[0.01], |_| 1.0) == 0.01);
-        // What is exact stays so.
+        // Errors of zero stay zero.
         assert_eq!((of(&[0.0], sure), of(&[0.0; 5], sure)), (0.0, 0.0));
         assert!((1..40).all(|n| sure(n + 1) <= sure(n) && sure(n) > 3.0));
     }

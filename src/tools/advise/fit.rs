@@ -1,16 +1,18 @@
-//! Fitting the properties that stand for an effect, so that another law does on these contacts what the present one does.
+//! Fits the properties that describe an effect rather than a material, so that another law does on these contacts what the present one
+//! does.
 use super::change::FITTED;
 use super::errors::Errors;
-use super::scene::{Group, Scene};
+use super::group::Group;
+use super::scene::Scene;
 use crate::trace::{Header, HeaderError};
 use granlaw::laws::prop;
 
-/// Steps of the fit over those of the truth: it is the sum of many runs.
+/// Steps of the fit, as a multiple of those of the truth. They may be longer, as a fit runs many times.
 const COARSER: f64 = 2.0;
 /// Narrowings of a golden section; each leaves 0.618 of the interval.
 const NARROW: u32 = 16;
 
-/// Sets the fitted properties of laws with these keywords (one per chain, equal in all) to what leaves the least error.
+/// Sets the fitted properties to the values with the least error; they have the same value in all chains.
 ///
 /// # Errors
 /// A law refuses every value.
@@ -20,7 +22,7 @@ pub(super) fn fit(scene: &Scene, chains: &mut [Header]) -> Result<(), HeaderErro
         chains.iter().flat_map(|h| &h.laws).any(|l| l.properties.iter().any(|p| p.name == name))
     };
     let [restitution, velocity] = FITTED;
-    // The contact time hardly depends on the damping, the restitution hardly on the stiffness: twice round is enough.
+    // The contact time hardly depends on the damping, and the restitution hardly on the stiffness, so two rounds are enough.
     for _ in 0..2 {
         if has(chains, velocity) {
             let all = |_: &Group| true;
@@ -48,7 +50,7 @@ pub(super) fn fit(scene: &Scene, chains: &mut [Header]) -> Result<(), HeaderErro
     Ok(())
 }
 
-/// Where a function with one valley is least.
+/// Where a function that has a single minimum is least.
 fn least(
     (mut low, mut high): (f64, f64),
     mut f: impl FnMut(f64) -> Result<f64, HeaderError>,
@@ -85,7 +87,7 @@ fn set(chains: &mut [Header], name: &str, types: Option<[usize; 2]>, x: f64) {
     }
 }
 
-/// The largest error of the groups that are asked for.
+/// The largest error of the given groups.
 fn worst(
     scene: &Scene,
     chains: &[Header],
@@ -98,7 +100,7 @@ fn worst(
     Ok(errors.iter().map(error).fold(0.0, f64::max))
 }
 
-/// Four digits, as they will stand in the deck.
+/// Rounds to four digits, which is what the deck will hold.
 fn round(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }

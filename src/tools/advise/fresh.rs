@@ -1,9 +1,10 @@
-//! Advice held to contacts that it was not made from: those of another run of the scene.
+//! Checks advice on contacts that it was not made from: those of another run of the scene.
 use super::errors::Errors;
+use super::group::Contacts;
 use super::ladder::{trial, Rung};
+use super::options::Options;
 use super::rules::HELD_OUT;
-use super::scene::{Contacts, Scene};
-use super::Options;
+use super::scene::Scene;
 use crate::trace::HeaderError;
 use serde::Serialize;
 
@@ -12,18 +13,18 @@ use serde::Serialize;
 pub struct Class {
     /// Which contacts, in words.
     pub name: String,
-    /// Whether they are impacts; else they lasted.
+    /// Whether they are impacts; if not, they are lasting contacts.
     pub impacts: bool,
-    /// What the advised chain gets wrong of them, in the advised step.
+    /// The errors of the advised chain on them, in the advised step.
     pub errors: Errors,
-    /// Whether that is within the accuracy.
+    /// Whether all of these are within the accuracy.
     pub within: bool,
 }
 
-/// What came of the fresh contacts.
+/// The result for the fresh contacts.
 #[derive(Clone, Debug, Serialize)]
 pub struct Fresh {
-    /// What told the other run from the first, for instance `seed=32452867`.
+    /// How the other run differs from the first, for instance `seed=32452867`.
     pub run: String,
     /// The classes that count in the other run.
     pub classes: Vec<Class>,
@@ -46,14 +47,14 @@ impl Fresh {
     }
 }
 
-/// Tries a rung of the ladder, in its step, on the contacts of another run.
+/// Tries a model of the ladder, in its step, on the contacts of another run.
 ///
 /// # Errors
 /// A law refuses.
 pub fn fresh(other: &Scene, deck: &Scene, rung: &Rung, run: &str, o: &Options) -> Result<Fresh, HeaderError> {
     let chains = other.chains.iter().map(|c| {
         let at = deck.chains.iter().position(|d| d.who == c.who);
-        // A chain that the first run never used was not advised on: it is as it was.
+        // There is no advice on a chain that the first run never used; it stays as it is.
         at.map_or_else(|| c.clone(), |k| rung.chains[k].clone())
     });
     let chains: Vec<_> = chains.collect();

@@ -1,43 +1,44 @@
-//! Loads of a probe, held once more: a contact is pressed, sheared, rolled and pulled by hand until it bears what it bore.
+//! Repeats the loads of a probe: a contact is pressed, sheared, rolled and pulled until it carries what it carried in the run.
 //!
-//! Nothing moves by itself here. What a lasting contact does with its neighbours cannot be known from it alone, but what
-//! it can bear, and how far it gives, can.
+//! Nothing is integrated here: the bodies are moved in small prescribed steps. How a lasting contact moves depends on its neighbours and
+//! cannot be repeated; what it can carry, and how deep it gets, depends on its laws alone.
 use crate::probe::Pressed;
 use granlaw::chain::Chain;
 use granlaw::law::{Body, Call, Contact, Gap, Kind, Stage, Surface};
 use nalgebra::Vector3;
 
-/// The first overlap that is tried, relative to what a spring of the largest stiffness of the run would need; and the
-/// largest.
+/// The first and the largest overlap that are tried, relative to what a spring of the largest stiffness of the run would
+/// need.
 const FIRST: f64 = 0.01;
 const DEEPEST: f64 = 100.0;
-/// The overlap under a load is found to this part of itself.
+/// The relative precision to which the overlap under a load is found.
 const NEAR: f64 = 1e-3;
-/// Shear per step, relative to the overlap, and the steps after which a contact that still slides bears nothing.
+/// Shear per step, relative to the overlap, and the number of steps after which a contact that still slides is taken to carry
+/// nothing.
 const SHEAR: f64 = 0.002;
 const SHEARED: usize = 4000;
-/// Steps of rolling, and those in which a contact is pulled apart.
+/// Number of steps of rolling, and of pulling apart.
 const ROLLED: usize = 20;
 const PULLED: usize = 1000;
 
-/// What a contact bears.
+/// What a contact can carry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held {
-    /// Overlap under the mean load, once the contact bore its largest \[m\]; infinite if no overlap that was tried does.
+    /// Overlap under the mean load, after the largest load \[m\]; infinite if no overlap that was tried carries the load.
     pub overlap: f64,
-    /// Tangential force that it still bears at rest, over the normal load, once it was sheared until it bore what it bore
-    /// in the run.
+    /// Tangential force that it still carries at rest, over the normal load, after it was sheared until it carried what it did in
+    /// the run.
     pub shear: f64,
     /// Torque against rolling and against torsion, over normal load times R*.
     pub torque: [f64; 2],
-    /// Attraction that it bears while it is pulled apart, over the normal load; no more than there was in the run.
+    /// Largest attraction while it is pulled apart, over the normal load; not more than there was in the run.
     pub tension: f64,
     /// Circular frequency of the normal spring under the largest load \[rad/s\].
     pub omega: f64,
 }
 
-/// Presses, shears, rolls and pulls. `dt` \[s\] is the step by which histories grow; as forces are told at rest, it does
-/// not matter which.
+/// Presses, shears, rolls and pulls. `dt` \[s\] is the time step that the laws see; its size does not matter, as forces are
+/// read at rest.
 pub fn hold(chain: &mut Chain, load: &Pressed, dt: f64) -> Held {
     let mut rig = Rig::new(chain, load, dt);
     let mut held = Held { overlap: f64::INFINITY, ..Held::default() };
@@ -54,7 +55,7 @@ pub fn hold(chain: &mut Chain, load: &Pressed, dt: f64) -> Held {
     held
 }
 
-/// A contact with its history, moved by hand.
+/// A contact with its history, moved in prescribed steps.
 struct Rig<'a> {
     chain: &'a mut Chain,
     load: &'a Pressed,
@@ -107,7 +108,7 @@ impl Rig<'_> {
         s
     }
 
-    /// Presses from nothing until the contact repels with a force \[N\]. The result is whether it does.
+    /// Presses, from first touch, until the contact repels with a force \[N\]. Returns whether that was reached.
     fn press(&mut self, wanted: f64) -> bool {
         let scale = wanted / self.load.kn;
         let mut step = FIRST * scale;
@@ -124,21 +125,21 @@ impl Rig<'_> {
         false
     }
 
-    /// Withdraws until the contact repels with no more than a force \[N\].
+    /// Moves the bodies apart until the contact repels with no more than a force \[N\].
     fn ease(&mut self, wanted: f64) {
         let mut step = 0.1 * self.overlap;
         while step > NEAR * NEAR * self.overlap {
             if self.touch().force.x <= wanted {
                 return;
             }
-            // Surfaces that have parted may have no force at all, which is too far as well.
+            // Surfaces that have parted have no force; that is too far as well.
             if self.tried(-step, |push| push.is_nan() || push < wanted) {
                 step *= 0.5;
             }
         }
     }
 
-    /// Changes the overlap, unless that goes too far: then everything is as before, and the result is true.
+    /// Changes the overlap. If that goes too far, everything is put back, and the result is true.
     fn tried(&mut self, by: f64, too_far: impl Fn(f64) -> bool) -> bool {
         let before = (self.overlap, self.history.clone());
         self.overlap += by;
@@ -149,7 +150,7 @@ impl Rig<'_> {
         over
     }
 
-    /// Slides until the contact bears a tangential force \[N\], rests, and tells what it still bears.
+    /// Slides until the contact carries a tangential force \[N\], stops, and returns the force that is left at rest.
     fn shear(&mut self, wanted: f64) -> f64 {
         let mut borne = 0.0;
         for _ in 0..SHEARED {
@@ -164,7 +165,7 @@ impl Rig<'_> {
         borne
     }
 
-    /// Rolls about an axis, slowly and without slip, and tells the torque against it \[N m\].
+    /// Rolls about an axis, slowly and without slip, and returns the torque against that \[N m\].
     fn roll(&mut self, axis: Vector3<f64>) -> f64 {
         let still = self.touch();
         self.spin = axis * (SHEAR * self.overlap / self.dt / self.load.partners.reff());
@@ -173,7 +174,7 @@ impl Rig<'_> {
         (still.torque_i - turned.torque_i).dot(&axis)
     }
 
-    /// Pulls the contact apart, and tells the largest attraction on the way \[N\].
+    /// Pulls the contact apart, and returns the largest attraction on the way \[N\].
     fn pull(&mut self) -> f64 {
         let whole = self.overlap;
         let mut most = 0.0f64;

@@ -1,10 +1,11 @@
-//! The ladder of models: what each leaves out, how wrong that is, the largest step that it bears, and what it costs.
+//! The ladder of models: what each leaves out, its errors, the largest step that it allows, and its cost.
 use super::change::{simpler, Change};
+use super::cost;
 use super::errors::{Errors, Sure};
 use super::fit::fit;
+use super::options::Options;
 use super::rules::{sure, CRITICAL, LARGER, SMALLER};
 use super::scene::Scene;
-use super::{cost, Options};
 use crate::trace::{Header, HeaderError};
 use granlaw::law::Kind;
 use serde::Serialize;
@@ -12,33 +13,33 @@ use serde::Serialize;
 /// A model on trial.
 #[derive(Clone, Debug, Serialize)]
 pub struct Rung {
-    /// What it does otherwise than the deck.
+    /// Its changes to the deck.
     pub changes: Vec<Change>,
     /// The chains.
     #[serde(skip)]
     pub chains: Vec<Header>,
-    /// What the laws themselves get wrong, in very small steps: the worst of all classes.
+    /// The errors of the laws themselves, in very small steps.
     pub model: Trial,
     /// Whether the laws are good enough, in very small steps.
     pub holds: bool,
     /// The largest step in which all classes are within the accuracy \[s\]; `None` if there is none.
     pub step: Option<f64>,
-    /// What goes wrong in that step.
+    /// The errors in that step.
     pub at_step: Option<Trial>,
-    /// Evaluating the laws on the contacts of the scene \[ns per contact\].
+    /// Time to evaluate the laws on the contacts of the scene \[ns per contact\].
     pub cost: f64,
-    /// Time of a run, relative to the deck as it is; `None` without a step.
+    /// Predicted time of a run, relative to the deck as it is; `None` without a step.
     pub predicted: Option<f64>,
-    /// Why it was not tried, in the words of the law that refused.
+    /// Why it was not tried: the message of the law that refused.
     pub refused: Option<String>,
 }
 
-/// What came of trying all classes.
+/// The result of trying all classes.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Trial {
     /// Errors of each class, in the order of the scene's groups.
     pub errors: Vec<Errors>,
-    /// The worst error: of what, how large, and in which class.
+    /// The worst error: of which quantity, how large, and the index of its class.
     pub worst: Option<(&'static str, f64, usize)>,
     /// Highest circular frequency met \[rad/s\].
     #[serde(skip)]
@@ -46,7 +47,7 @@ pub struct Trial {
 }
 
 impl Rung {
-    /// In words.
+    /// Its changes in words.
     pub fn name(&self) -> String {
         if self.changes.is_empty() {
             return "as it is".into();
@@ -56,19 +57,19 @@ impl Rung {
 }
 
 impl Rung {
-    /// How much there is to it: laws, history slots, and changes to the deck, in this order.
+    /// Its size, by which the simplest model is chosen: numbers of laws, of history slots, and of changes to the deck.
     pub(super) fn size(&self) -> (usize, usize, usize) {
         let sum = |of: fn(&Header) -> usize| self.chains.iter().map(of).sum();
         (sum(|h| h.laws.len()), sum(|h| h.slots.len()), self.changes.len())
     }
 }
 
-/// Every rung: the deck as it is, every single change, and every combination of those that hold.
+/// All models: the deck as it is, every single change, and every combination of those changes that hold alone.
 pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Rung>, HeaderError> {
     let mut rungs = vec![rung(scene, o, Vec::new(), &[])?];
     let (stay, tried): (Vec<_>, Vec<_>) = (0..scene.chains.len()).partition(|k| scene.stays(*k));
     let tried: Vec<_> = tried.into_iter().map(|k| scene.chains[k].clone()).collect();
-    // A fitted property is that of all chains, so that one which stays would change with it.
+    // A fitted property belongs to all chains, so fitting it would also change a chain that is to stay as it is.
     for c in simpler(&tried).into_iter().filter(|c| stay.is_empty() || !fits(c)) {
         rungs.push(rung(scene, o, vec![c], &[])?);
     }
@@ -89,7 +90,7 @@ fn fits(c: &Change) -> bool {
     matches!(c, Change::Law(Kind::Normal, _))
 }
 
-/// Tries these changes. Where one of them was fitted before, it keeps that fit.
+/// Tries these changes. If one of them was fitted before, that fit is kept.
 fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Result<Rung, HeaderError> {
     let fitted = before
         .iter()
@@ -133,7 +134,7 @@ fn largest(
     model: &Trial,
     o: &Options,
 ) -> Result<(Option<f64>, Option<Trial>), HeaderError> {
-    // Of a law that acts across gaps no step was tried but the deck's own, in the run.
+    // With a law that acts across gaps no other step can be tried; the deck's own is the one it ran with.
     if !scene.untried.is_empty() {
         return Ok((Some(scene.dt()), Some(model.clone())));
     }
@@ -160,7 +161,7 @@ fn largest(
     Ok(found.unzip())
 }
 
-/// All classes in steps of `dt`; loads as in another trial, if there was one.
+/// Tries all classes in steps of `dt`. The errors of loads are taken from another trial, if there was one.
 pub(super) fn trial(
     scene: &Scene,
     chains: &[Header],
@@ -181,7 +182,7 @@ fn within(t: &Trial, o: &Options) -> bool {
     t.errors.iter().all(|e| e.within(o.accuracy, o.time))
 }
 
-/// All combinations of two or more that change different kinds.
+/// All combinations of two or more changes to different kinds of law.
 fn combinations(of: &[Change]) -> Vec<Vec<Change>> {
     let mut all: Vec<Vec<Change>> = vec![Vec::new()];
     for c in of {

@@ -1,7 +1,6 @@
-//! Advice in words: lines for the deck, and the reasons behind them.
-use super::ladder::{Rung, Trial};
+//! Advice as lines for the deck.
+use super::ladder::Rung;
 use super::scene::Scene;
-use super::Advice;
 use crate::trace::{Header, LawSpec, Property};
 use granlaw::law::Kind;
 use granlaw::laws::find;
@@ -16,7 +15,7 @@ pub struct Line {
     pub place: String,
 }
 
-/// The lines that make a rung of the ladder out of the deck; none that stay as they are.
+/// The lines that turn the deck into a model of the ladder; lines that stay as they are are left out.
 pub(super) fn lines(scene: &Scene, rung: &Rung) -> Vec<Line> {
     let mut all = Vec::new();
     for (was, is) in scene.chains.iter().zip(&rung.chains) {
@@ -70,7 +69,7 @@ pub(super) fn properties(was: &[Header], is: &[Header]) -> Vec<Property> {
     new
 }
 
-/// The models and settings of a chain as a deck has them.
+/// The models and settings of a chain, as they are written in a deck.
 pub(super) fn spoken(h: &Header) -> String {
     let words = Kind::ALL.iter().filter_map(|k| h.law(*k).map(|l| format!("{} {}", k.keyword(), called(l))));
     let mut settings: Vec<String> = Vec::new();
@@ -106,60 +105,6 @@ pub(super) fn number(x: f64) -> String {
     } else {
         format!("{short:e}")
     }
-}
-
-/// Why, in sentences with numbers.
-pub(super) fn reasons(a: &Advice) -> Vec<String> {
-    let mut all = Vec::new();
-    let whole = &a.ladder[0];
-    let worst = |t: &Trial| {
-        t.worst.map_or("no error".into(), |(what, size, k)| {
-            format!("{what} wrong by {} in {}", percent(size), a.groups[k].name)
-        })
-    };
-    if !a.groups.is_empty() {
-        all.push(format!(
-            "{} classes of contacts were tried, which stand for {} of the impacts and {} of the momentum exchanged",
-            a.groups.len(),
-            percent(a.covered.0),
-            percent(a.covered.1)
-        ));
-    }
-    all.extend(a.untried.iter().map(|u| {
-        format!(
-            "{u} acts across gaps, which two bodies from their first touch on do not show: its chain and the time step stay as they are"
-        )
-    }));
-    for r in a.ladder.iter().filter(|r| r.changes.len() == 1) {
-        let name = r.name();
-        all.push(match (&r.refused, r.holds, r.step) {
-            (Some(why), ..) => format!("{name} could not be tried: {why}"),
-            (_, false, _) => format!("{name} is not good enough: {}", worst(&r.model)),
-            (_, true, Some(step)) => {
-                format!("{name} is good enough ({}), up to a step of {} s", worst(&r.model), number(step))
-            }
-            (_, true, None) => format!("{name} is good enough, but in no step that was tried"),
-        });
-    }
-    if !a.untried.is_empty() {
-        return all;
-    }
-    all.push(match (whole.step, &whole.at_step) {
-        (Some(step), Some(t)) if step >= a.dt => {
-            format!("the laws as they are bear a step of {} s: {}", number(step), worst(t))
-        }
-        (Some(step), _) => format!(
-            "the deck's own step of {} s is too large for {}: the laws as they are need {} s",
-            number(a.dt),
-            percent(a.options.accuracy),
-            number(step)
-        ),
-        _ => format!(
-            "the laws as they are are not within {} in any step that was tried",
-            percent(a.options.accuracy)
-        ),
-    });
-    all
 }
 
 pub(super) fn percent(x: f64) -> String {

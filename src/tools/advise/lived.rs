@@ -1,4 +1,4 @@
-//! Impacts of a probe, lived through again by two bodies alone.
+//! Repeats the impacts of a probe with two bodies alone.
 use crate::probe::{Impact, Partners};
 use granlaw::chain::Chain;
 use granlaw::law::{Body, Kind, Meta};
@@ -6,7 +6,7 @@ use granlaw::pair::{run_while, Opened, Partner, Start, State};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// What came of an impact.
+/// The outcome of an impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rebound {
     /// Normal speed after over before; 0 where the bodies stick.
@@ -19,13 +19,13 @@ pub struct Rebound {
     pub omega: f64,
 }
 
-/// Half a period of a contact with this circular frequency \[s\].
+/// Half the period of an oscillation with this circular frequency \[s\].
 pub fn half_period(omega: f64) -> f64 {
     PI / omega
 }
 
-/// An impact with a time step `dt` \[s\]. It begins when the first step is `phase` (0 to 1) over; after `longest` \[s\]
-/// the bodies count as stuck. `laws` are asked for stiffnesses, if given.
+/// Repeats an impact with a time step `dt` \[s\]. The bodies touch at `phase` (0 to 1) of the first step; after `longest` \[s\]
+/// they count as stuck. `laws`, if given, are asked for stiffnesses.
 pub fn impact(
     chain: &mut Chain,
     laws: Option<&mut Chain>,
@@ -46,7 +46,7 @@ pub fn impact(
             return true;
         }
         if met {
-            // Where between the two steps the surfaces parted.
+            // The moment between the two steps at which the surfaces parted.
             let part = last / (last - overlap);
             seen.time = ((s.step - 1) as f64 + part - phase) * dt;
             let g = &s.contact.gap;
@@ -59,7 +59,7 @@ pub fn impact(
     seen
 }
 
-/// Asks the laws for the stiffness of every contact that is met, with a chain of its own, as the other one is at work.
+/// Asks the laws for the stiffness in every step, with a chain of its own, as the other one is moving the bodies.
 struct Watch<'a> {
     laws: Option<&'a mut Chain>,
     springs: Vec<bool>,
@@ -97,7 +97,7 @@ fn overlap(s: &State) -> f64 {
     g.i.radius + g.j.radius - g.rsq.sqrt()
 }
 
-/// Bodies that touch `phase` of a step after the start.
+/// The bodies at the start; they touch at `phase` of the first step.
 fn approaching(what: &Impact, dt: f64, phase: f64, longest: f64) -> Start {
     let what = &if what.partners.mass[0] > 0.0 { *what } else { swapped(what) };
     let p = &what.partners;
@@ -130,7 +130,7 @@ fn approaching(what: &Impact, dt: f64, phase: f64, longest: f64) -> Start {
     }
 }
 
-/// The same impact seen from i, so that the body that is held is j: half a turn about z.
+/// The same impact with i and j exchanged, by half a turn about z, so that the body that is held in place is j.
 fn swapped(what: &Impact) -> Impact {
     let turn = |[x, y, z]: [f64; 3]| [-x, -y, z];
     let [x, y, z] = what.v;

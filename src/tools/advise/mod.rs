@@ -1,8 +1,8 @@
-//! Advice on a scene: how simple a model it bears, and how large a step.
+//! Advice on a scene: how simple a model is good enough for it, and how large a step.
 //!
-//! A [`Probe`] says what the contacts of a scene do. Its examples are lived through again by two bodies alone, with
-//! simpler chains and with larger steps; what stays within the accuracy asked for, in every important class of contacts, is
-//! good enough. Nothing is recommended that was not tried, and everything is told with the measurement behind it.
+//! A [`Probe`] says what the contacts of a scene do. Its examples are repeated by two bodies alone, with simpler chains
+//! and with larger steps. What stays within the accuracy asked for, in every important class of contacts, is good enough. Nothing is
+//! recommended that was not tried, and every recommendation comes with its measurement.
 pub mod bulk;
 mod change;
 pub mod check;
@@ -10,13 +10,18 @@ mod classes;
 mod cost;
 mod errors;
 mod fit;
+mod found;
 pub mod fresh;
+mod group;
 pub mod held;
 mod ladder;
 mod lines;
 pub mod lived;
+mod options;
+mod pace;
 mod page;
 mod rank;
+mod reasons;
 pub mod rewrite;
 pub mod rules;
 mod scene;
@@ -24,83 +29,21 @@ pub mod seeds;
 mod text;
 
 pub use change::Change;
-pub use cost::Pace;
 pub use errors::Errors;
+pub use found::{Advice, Found};
+pub use group::{Contacts, Group};
 pub use ladder::{Rung, Trial};
 pub use lines::Line;
+pub use options::Options;
+pub use pace::Pace;
 pub use page::page;
 pub use rank::{rank, Term};
-pub use scene::{Contacts, Group, Scene};
+pub use scene::Scene;
 pub use text::text;
 
 use crate::probe::Probe;
 use crate::trace::HeaderError;
-use serde::Serialize;
 use thiserror::Error;
-
-/// What is asked for.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Options {
-    /// Largest error of restitution (absolute), contact time (relative) and spin (over the impact speed), of every
-    /// important class; under a load, of overlap (square root over R*), of shear force and attraction (over the load) and of torque
-    /// (over load times R*).
-    pub accuracy: f64,
-    /// How many times less closely contact times are asked for; 1 as closely.
-    pub time: f64,
-}
-
-impl Default for Options {
-    fn default() -> Options {
-        Options { accuracy: rules::ACCURACY, time: 1.0 }
-    }
-}
-
-/// What was found.
-#[derive(Debug, Serialize)]
-pub struct Advice {
-    /// File name of the deck.
-    pub deck: String,
-    /// Time step of the run \[s\].
-    pub dt: f64,
-    /// What was asked for.
-    pub options: Options,
-    /// What each term contributes, the largest first.
-    pub terms: Vec<Term>,
-    /// The classes of contacts that were lived through again.
-    pub groups: Vec<Group>,
-    /// Share of impacts, and of the momentum of all contacts, that they stand for, where changes are tried.
-    pub covered: (f64, f64),
-    /// Laws that act across gaps, in words with what was measured of them.
-    pub untried: Vec<String>,
-    /// The models on trial; the first is the deck as it is.
-    pub ladder: Vec<Rung>,
-    /// The one that is recommended, by its place; `None` if not even the deck's own is good enough in any step.
-    pub chosen: Option<usize>,
-    /// Lines for the deck.
-    pub lines: Vec<Line>,
-    /// Why, in sentences with numbers.
-    pub reasons: Vec<String>,
-}
-
-/// Advice, with what came of holding it to the scene.
-#[derive(Debug, Serialize)]
-pub struct Found {
-    /// The advice.
-    pub advice: Advice,
-    /// The deck and the advised deck in full.
-    pub check: Option<check::Check>,
-    /// Contacts of another run.
-    pub fresh: Option<fresh::Fresh>,
-}
-
-impl Found {
-    /// Whether there is advice, and it holds wherever it was held to something.
-    pub fn holds(&self) -> bool {
-        self.advice.chosen.is_some()
-            && self.check.as_ref().is_none_or(check::Check::holds)
-            && self.fresh.as_ref().is_none_or(fresh::Fresh::holds)
-    }
-}
 
 /// Why there is no advice.
 #[derive(Debug, Error)]
@@ -109,26 +52,26 @@ pub enum AdviceError {
     #[error("no contact was seen, so there is nothing to advise on; probe a run in which surfaces touch")]
     NoContact,
     /// No class of contacts has an example.
-    #[error("{calls} contact calls were seen, but no contact began and ended, or lasted, so that it could be lived through again; probe a longer run")]
+    #[error("{calls} contact calls were seen, but no contact began and ended, or lasted, so that it could be repeated; probe a longer run")]
     NoExample {
         /// How many calls.
         calls: u64,
     },
     /// Too much of the scene is in classes too small to count, or in contacts that were not seen whole.
     #[error(
-        "the classes of contacts that can be lived through again stand for {:.0} % of the impacts and {:.0} % of the momentum \
+        "the classes of contacts that can be repeated stand for {:.0} % of the impacts and {:.0} % of the momentum \
          exchanged; advice needs {:.0} % of both; probe a longer run", 100.0 * .0, 100.0 * .1, 100.0 * rules::COVERED
     )]
     Covered(f64, f64),
     /// Contacts that the probe could not count.
     #[error("the contacts of {} were not seen, as granlaw has a twin of none of their laws (granlaw laws lists them), so that nothing can be said of them", .0.join(", "))]
     Unseen(Vec<String>),
-    /// A law is not ours.
+    /// A law has no Rust twin.
     #[error("what the contacts do is known, but simpler models cannot be tried: {0}")]
     Laws(#[from] HeaderError),
 }
 
-/// Advice from a probe.
+/// Gives advice from a probe.
 ///
 /// # Errors
 /// There is nothing to advise on, or the laws are not granlaw's.
@@ -164,11 +107,11 @@ pub fn advise(probe: &Probe, options: Options) -> Result<(Advice, Scene), Advice
         lines,
         reasons: Vec::new(),
     };
-    advice.reasons = lines::reasons(&advice);
+    advice.reasons = reasons::reasons(&advice);
     Ok((advice, scene))
 }
 
-/// What a probe tells of a law.
+/// What a probe says of a law, in words.
 fn measured(c: &crate::probe::Contacts, law: &str) -> String {
     let at = c.header.laws.iter().position(|l| l.keyword == law).unwrap_or(0);
     let shares = || c.pairs.iter().filter_map(|p| p.laws.get(at));
@@ -191,7 +134,7 @@ fn measured(c: &crate::probe::Contacts, law: &str) -> String {
     )
 }
 
-/// The simplest of the models that hold and are predicted to take as little time as any.
+/// The index of the simplest of the models that hold and whose predicted time is about the least.
 fn choose(ladder: &[Rung]) -> Option<usize> {
     let time = |k: &usize| ladder[*k].predicted.unwrap_or(f64::INFINITY);
     let holding = || (0..ladder.len()).filter(|k| time(k).is_finite());

@@ -67,7 +67,7 @@ fn advice(found: &Found) -> Section {
     }
 }
 
-/// Error against cost; the deck's own model and what nothing beats are ringed.
+/// Error over cost of the models. The deck's own is ringed, and so are those that no other beats in both.
 fn ladder(found: &Found) -> Section {
     let a = &found.advice;
     let error = |r: &Rung| r.model.worst.map_or(f64::NAN, |w| w.1);
@@ -86,7 +86,7 @@ fn ladder(found: &Found) -> Section {
             .map(|r| Mark {
                 label: r.name(),
                 x: Spread::exact(r.cost),
-                // A logarithm has no place for what is exact.
+                // Zero has no place on a logarithmic axis.
                 y: Spread::exact(error(r).max(1e-6)),
                 front: !beaten(r),
             })
@@ -147,7 +147,7 @@ fn ladder(found: &Found) -> Section {
     }
 }
 
-/// A number, if there is one.
+/// A cell with a number, or an empty one.
 fn known(x: Option<f64>) -> Cell {
     x.map_or("-".into(), Cell::from)
 }
@@ -173,7 +173,7 @@ fn classes(found: &Found) -> Section {
     }
 }
 
-/// A histogram of a chain's pairs of types.
+/// One histogram, summed over the pairs of types of a chain.
 type Of = fn(&TypePair) -> &Histogram;
 
 fn contacts(probe: &Probe) -> Section {

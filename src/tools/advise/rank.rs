@@ -5,19 +5,19 @@ use serde::Serialize;
 /// A term of the laws of a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Term {
-    /// Whose: `pair` or `wall ID`.
+    /// The chain: `pair` or `wall ID`.
     pub who: String,
-    /// The law, its dashpot apart; a direction where the laws are not ours.
+    /// The law, or its dashpot, which is a term of its own; a direction where the laws have no Rust twins.
     pub term: String,
     /// Its share of the work that all contacts took out of the motion; negative where it gave some back.
     pub dissipated: f64,
     /// Its share of the momentum that all contacts exchanged.
     pub impulse: f64,
-    /// Its share of the angular momentum that torques beside the levers exchanged; 0 where torques are levers only.
+    /// Its share of the angular momentum exchanged by torques that are not the lever of a force; 0 if there are none.
     pub turn: f64,
 }
 
-/// All terms, the one that dissipates most first.
+/// All terms; the one that dissipates most comes first.
 pub fn rank(probe: &Probe) -> Vec<Term> {
     let mut terms: Vec<Term> = probe.chains.iter().flat_map(of).collect();
     let sum = |f: &dyn Fn(&Term) -> f64| terms.iter().map(f).sum::<f64>();
@@ -31,7 +31,7 @@ pub fn rank(probe: &Probe) -> Vec<Term> {
     terms
 }
 
-/// The terms of a chain in J, N s and N m s; once for all of its pairs of types.
+/// The terms of a chain in J, N s and N m s, summed over its pairs of types.
 fn of(c: &Contacts) -> Vec<Term> {
     let term = |term: String, dissipated: f64, impulse: f64, turn: f64| Term {
         who: c.header.who.clone(),
@@ -59,7 +59,7 @@ fn of(c: &Contacts) -> Vec<Term> {
         let damped = sum(&|p| p.laws[k].damped);
         let name = format!("{} {}", law.kind, law.keyword);
         let (work, impulse) = (-sum(&|p| p.laws[k].work), sum(&|p| p.laws[k].impulse));
-        // A tangential force turns by its lever, which its impulse tells.
+        // The torque of a tangential force is the lever of that force, which counts with its impulse.
         let turn = if impulse > 0.0 { 0.0 } else { sum(&|p| p.laws[k].turn) };
         if damped > 0.0 {
             all.push(term(format!("{name}: spring"), work - damped, impulse, turn));

@@ -1,5 +1,5 @@
-//! The advised deck: the deck with lines replaced. LIGGGHTS alone understands a deck; whether this one became what was
-//! advised is told by the probe of its run (see [`super::check`]).
+//! The advised deck: the deck with some lines replaced. Only LIGGGHTS understands decks, so whether the result is what was
+//! advised is read from a probe of its run (see [`super::check`]).
 use super::ladder::Rung;
 use super::lines::{number, properties, spoken};
 use super::scene::Scene;
@@ -10,7 +10,7 @@ use thiserror::Error;
 /// Why a deck cannot be rewritten.
 #[derive(Debug, Error, PartialEq)]
 pub enum RewriteError {
-    /// A line that has to change is not there, or there more than once.
+    /// A line that has to change is missing, or appears more than once.
     #[error("the deck has {found} lines with {what}, and one is needed; write the advised deck by hand and name it with --advised FILE")]
     Lines {
         /// Which.
@@ -18,7 +18,7 @@ pub enum RewriteError {
         /// How many.
         found: usize,
     },
-    /// A number of steps that is not understood.
+    /// A number of steps cannot be read.
     #[error("line {line}: {what}; write the advised deck by hand and name it with --advised FILE")]
     Steps {
         /// The line, from 1.
@@ -28,16 +28,16 @@ pub enum RewriteError {
     },
 }
 
-/// A command of a deck, continued lines joined, with where it began.
+/// A command of a deck, with continued lines joined, and the line on which it begins.
 struct Command {
     line: usize,
     words: Vec<String>,
-    /// As it was written; written again if nothing changes.
+    /// The lines as they were; they are kept if the command does not change.
     text: String,
     changed: bool,
 }
 
-/// The deck with the laws, properties and time step of a rung, as long in time as it was.
+/// The deck with the laws, properties and time step of a model of the ladder. It runs for the same simulated time.
 ///
 /// # Errors
 /// The lines that have to change are not those of a plain deck.
@@ -121,7 +121,7 @@ fn only(all: &[Command], what: &str, is: impl Fn(&Command) -> bool) -> Result<us
     }
 }
 
-/// Other models and settings in the pair style, or in the walls that a chain stands for.
+/// Puts other models and settings into the pair style, or into the walls that the chain stands for.
 fn models(all: &mut [Command], was: &Header, is: &Header) -> Result<(), RewriteError> {
     let walls = was.who.strip_prefix("walls ").or(was.who.strip_prefix("wall "));
     let Some(ids) = walls else {
@@ -137,8 +137,8 @@ fn models(all: &mut [Command], was: &Header, is: &Header) -> Result<(), RewriteE
     Ok(())
 }
 
-/// Takes the models and settings of one chain out of a command, and puts those of another in: models to where they
-/// stood, settings to the end.
+/// Replaces the models and settings of one chain in a command by those of another. Models go where the old ones were, settings go
+/// to the end.
 fn exchange(c: &mut Command, from: usize, was: &Header, is: &Header) {
     let kinds: Vec<&str> = Kind::ALL.iter().map(|k| k.keyword()).collect();
     let settings: Vec<&String> = was.laws.iter().flat_map(|l| l.settings.keys()).collect();
@@ -166,7 +166,7 @@ fn values(p: &Property) -> String {
     format!("{} {}{per} {}", p.name, p.shape, values.join(" "))
 }
 
-/// Whether a property stands in the deck, and now has these values there.
+/// Gives a property of the deck these values. Returns whether the deck has that property.
 fn replaced(all: &mut [Command], p: &Property) -> bool {
     let here = |c: &&mut Command| {
         c.is(&["fix"])
@@ -180,7 +180,7 @@ fn replaced(all: &mut [Command], p: &Property) -> bool {
     true
 }
 
-/// Numbers of steps times `many`: of runs, of insertions, and of what is written on the way.
+/// Multiplies numbers of steps by `many`: those of runs, of insertions and of output.
 fn steps(all: &mut Vec<Command>, many: f64) -> Result<(), RewriteError> {
     let mut k = 0;
     while k < all.len() {
@@ -189,7 +189,7 @@ fn steps(all: &mut Vec<Command>, many: f64) -> Result<(), RewriteError> {
         let strange = |what: String| RewriteError::Steps { line, what };
         match c.words.first().map(String::as_str) {
             Some("run") if c.words.len() == 2 => {
-                // Whatever it says, LIGGGHTS works it out.
+                // LIGGGHTS evaluates the expression, whatever it is.
                 let name = format!("granlawRun{line}");
                 let words = ["variable", &name, "equal", &format!("round({}*{many})", c.words[1])];
                 let variable = Command {

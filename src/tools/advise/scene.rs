@@ -1,73 +1,41 @@
-//! What of a probe is lived through again: its important classes of contacts, and what the present chain makes of them.
+//! What is repeated of a probe: its important classes of contacts, and what the present chain does with them.
 use super::classes::{counting, Sums};
-use super::cost::Pace;
 use super::errors::{astray, wrong, Errors, Sure};
+use super::group::{Contacts, Group};
 use super::held::{hold, Held};
 use super::lived::{self, Rebound};
+use super::pace::Pace;
 use super::rules::{FINE, PHASES, STUCK};
 use crate::probe::{Impact, Pressed, Probe};
 use crate::trace::{Header, HeaderError};
 use granlaw::chain::Chain;
 use granlaw::law::Reach;
 use rayon::prelude::*;
-use serde::Serialize;
 
-/// Contacts of each class that a fit is made on; it is judged on all.
+/// Number of contacts of each class on which a fit is made. The result is judged on all of them.
 const FEW: usize = 3;
 
-/// A class of contacts that is lived through again.
-#[derive(Clone, Debug, Serialize)]
-pub struct Group {
-    /// Which contacts, in words.
-    pub name: String,
-    /// The chain that they belong to.
-    pub chain: usize,
-    /// Atom types from 1, the lower first.
-    pub types: [usize; 2],
-    /// Share of all impacts; 0 for loads.
-    pub count: f64,
-    /// The share that it may have in another run: contacts are drawn, and their number is off by its root.
-    #[serde(skip)]
-    pub likely: f64,
-    /// Share of the momentum exchanged along normals by all contacts.
-    pub impulse: f64,
-    /// Share of the work that all contacts took out of the motion.
-    pub dissipated: f64,
-    /// The contacts, with what the present chain makes of them in very small steps.
-    #[serde(skip)]
-    pub contacts: Contacts,
-}
-
-/// The contacts of a class.
-#[derive(Clone, Debug)]
-pub enum Contacts {
-    /// Impacts.
-    Impacts(Vec<(Impact, Rebound)>),
-    /// Loads.
-    Loads(Vec<(Pressed, Held)>),
-}
-
-/// What is lived through again, and how.
+/// The contacts that are repeated, with their chains.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The pair style and the wall fixes.
     pub chains: Vec<Header>,
     /// Contact calls of each.
     pub calls: Vec<u64>,
-    /// Laws that act across gaps, with their chain: what they do is not lived through again, so that chain stays as it is.
+    /// Laws that act across gaps, each with the index of its chain. What they do is not repeated, so that chain stays as it is.
     pub untried: Vec<(usize, String)>,
-    /// Important classes.
+    /// The important classes.
     pub groups: Vec<Group>,
     /// Share of impacts and of momentum that the groups stand for.
     pub covered: (f64, f64),
     /// Circular frequency of the stiffest contact \[rad/s\].
     pub omega: f64,
-    /// What the probed run took.
+    /// How long the probed run took.
     pub pace: Pace,
 }
 
 impl Scene {
-    /// The important classes of a probe, with the present chain in very small steps as the truth.
+    /// The important classes of a probe. The truth is the present chain in very small steps.
     ///
     /// # Errors
     /// A chain has a law that granlaw lacks.
@@ -93,7 +61,7 @@ impl Scene {
         counting(&mut groups);
         let (mut count, mut impulse) =
             groups.iter().fold((0.0, 0.0), |(c, i), g| (c + g.count, i + g.impulse));
-        // Of none they are all.
+        // Without any impact, or any momentum, everything is covered.
         count = if sums.count > 0.0 { count } else { 1.0 };
         impulse = if sums.impulse > 0.0 { impulse } else { 1.0 };
         let covered = (count, impulse);
@@ -105,7 +73,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The same with some of its groups, and a few contacts of each.
+    /// The same scene with some of its groups only, and a few contacts of each.
     pub(super) fn only(&self, of: impl Fn(&Group) -> bool) -> Scene {
         let mut groups: Vec<_> = self.groups.iter().filter(|g| of(g)).cloned().collect();
         groups.iter_mut().for_each(|g| match &mut g.contacts {
@@ -115,7 +83,7 @@ impl Scene {
         Scene { chains: self.chains.clone(), calls: self.calls.clone(), untried: Vec::new(), groups, ..*self }
     }
 
-    /// Whether a chain stays as it is: nothing that it does was tried.
+    /// Whether a chain stays as it is, because nothing that it does was tried.
     pub(super) fn stays(&self, chain: usize) -> bool {
         self.groups.iter().all(|g| g.chain != chain)
     }
@@ -130,7 +98,7 @@ impl Scene {
         self.chains.first().map_or(0.0, |h| h.dt)
     }
 
-    /// The truth of every group.
+    /// Computes the truth of every group.
     fn live(&mut self) {
         let fine = self.fine();
         let chains = &self.chains;
@@ -147,8 +115,8 @@ impl Scene {
         });
     }
 
-    /// What chains get wrong of every group in steps of `dt` \[s\], and the highest circular frequency met \[rad/s\].
-    /// Loads are held at rest, so that `known` errors of theirs in another step need not be found again.
+    /// The errors of chains on every group in steps of `dt` \[s\], and the highest circular frequency met \[rad/s\].
+    /// Loads are measured at rest, where the step does not matter: if their errors are `known`, they are not computed again.
     ///
     /// # Errors
     /// A law refuses.
@@ -171,11 +139,11 @@ impl Scene {
     }
 }
 
-/// A chain to move bodies with, and a second one to ask.
+/// A chain that moves the bodies, and a second one that is asked for stiffnesses.
 struct Bench {
     chain: Chain,
     laws: Chain,
-    /// Time step of the run, in which the contacts' durations are given \[s\].
+    /// Time step of the run, the unit of the contacts' durations \[s\].
     dt: f64,
 }
 
@@ -199,7 +167,7 @@ impl Bench {
             Contacts::Impacts(all) => {
                 let one = |(k, (i, truth)): (usize, &(Impact, Rebound))| {
                     let turns = PHASES.map(|turn| {
-                        // Contacts begin anywhere within a step; the golden section spreads evenly.
+                        // Contacts begin anywhere within a step; multiples of the golden section spread evenly.
                         let got = self.impact(i, dt, (turn + 0.618 * k as f64).fract());
                         seen(wrong(i, truth, &got), got.omega)
                     });

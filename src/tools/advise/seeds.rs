@@ -1,11 +1,11 @@
-//! Values for the variable of a deck that starts its random numbers.
+//! Values for the variable of a deck that seeds its random numbers.
 
-/// So far apart are seeds, or generators that multiply would begin alike.
+/// Distance between seeds. Multiplicative generators with close seeds begin with similar numbers.
 const APART: u64 = 1_000_003;
-/// LIGGGHTS wants prime numbers above the lower one; seeds are C's `int`.
+/// Seeds must be prime numbers above the first of these for LIGGGHTS, and fit into an `int` of C.
 const RANGE: std::ops::Range<u64> = 10_000..2_000_000_000;
 
-/// `many` seeds, of which `first` is the first; the others are prime numbers, as LIGGGHTS wants them.
+/// A list of `many` seeds. It begins with `first`; the others are prime numbers, as LIGGGHTS wants them.
 ///
 /// # Errors
 /// More than one is wanted, and the first is no whole number.

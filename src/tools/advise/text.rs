@@ -6,10 +6,10 @@ use super::lines::{number, percent};
 use super::{Advice, Found, Term};
 use std::fmt::{self, Write};
 
-/// Terms with a smaller share than this of everything are left to the JSON.
+/// Terms whose shares are all smaller than this are not printed; the JSON has them.
 const SMALL: f64 = 0.005;
 
-/// The whole advice, and what came of it.
+/// The advice and the results of its checks.
 pub fn text(found: &Found) -> String {
     let mut t = String::new();
     let mut all = || -> fmt::Result {
@@ -36,7 +36,7 @@ fn checked(t: &mut String, c: &Check) -> fmt::Result {
     writeln!(t, "  time {deck:.2} s and {advised:.2} s: {} of it{predicted}", percent(c.measured()))
 }
 
-/// How many runs there were, if there were several.
+/// The number of runs in words, if there were several.
 pub(super) fn runs(c: &Check) -> String {
     if c.runs > 1 {
         format!("; means of {} runs each", c.runs)
@@ -62,7 +62,7 @@ pub(super) fn tallied(f: &Fresh) -> String {
     )
 }
 
-/// Three digits.
+/// A number to three digits.
 pub(super) fn digits(x: f64) -> String {
     let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
     super::lines::number(short)
@@ -112,7 +112,7 @@ fn terms(t: &mut String, terms: &[Term]) -> fmt::Result {
     writeln!(t, "  {:<6} {:<34} {:>11} {:>9} {:>9}", "", "", "dissipates", "momentum", "torque")?;
     let mut few: Vec<Term> = Vec::new();
     for t in terms {
-        // Walls together.
+        // All walls are shown together.
         let who = if t.who == "pair" { "pair" } else { "walls" };
         match few.iter_mut().find(|f| f.who == who && f.term == t.term) {
             Some(f) => {

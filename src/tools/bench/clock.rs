@@ -5,7 +5,7 @@
 pub(super) struct Clock {
     /// Time for pair contacts \[s\].
     pub pair: f64,
-    /// Time for all of it \[s\].
+    /// Time of the whole run \[s\].
     pub whole: f64,
     pub steps: u64,
     pub spheres: u64,
@@ -40,12 +40,12 @@ fn pair(line: &str) -> Option<f64> {
     })
 }
 
-/// The number behind some words.
+/// The number that follows some words.
 fn after<T: std::str::FromStr>(line: &str, words: &str) -> Option<T> {
     line.strip_prefix(words)?.split_whitespace().next()?.parse().ok()
 }
 
-/// What the batched path did in a run, all ranks together, and what it needs beside LIGGGHTS.
+/// What the batched path did in a run, all ranks together, and the memory it needs beside LIGGGHTS's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Account {
     pub passes: u64,
@@ -67,7 +67,7 @@ impl Account {
     }
 }
 
-/// What the batched path calls its width.
+/// The name that the batched path gives its width.
 pub(super) fn lanes(log: &str) -> Option<String> {
     log.lines().find_map(|l| l.strip_prefix("granlaw: batched path, ")).map(str::to_string)
 }

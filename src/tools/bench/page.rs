@@ -1,11 +1,11 @@
 //! The document of a benchmark.
-use super::{Options, Scene, Side, Timed};
+use super::scene::{quartiles, Options, Scene, Side, Timed};
 use crate::liggghts::{Host, Plugin};
 use crate::report::page::{Bars, Cell, Group, Item, Page, Section, Spread, Table};
 use crate::report::{About, Check, Outcome, Shows, Tolerance};
 use std::fs;
 
-/// All that was measured, for people and programs.
+/// Everything that was measured, as a document.
 pub fn page(scenes: &[Scene], options: &Options, (host, plugin): (&Host, &Plugin), load: [f64; 2]) -> Page {
     Page {
         program: "granlaw bench".into(),
@@ -28,7 +28,7 @@ pub fn page(scenes: &[Scene], options: &Options, (host, plugin): (&Host, &Plugin
 }
 
 fn headline(scenes: &[Scene]) -> String {
-    // Only where both are the same law.
+    // Only where the batched side wrote the same dumps as stock.
     let batched = |s: &Scene| s.side(Side::Batched).filter(|t| t.outcome == Outcome::Agreed).cloned();
     let ratio = |s: &Scene| Some(s.ratios(&batched(s)?, Side::Stock)?.0.at);
     let ratios: Vec<f64> = scenes.iter().filter_map(ratio).collect();
@@ -56,20 +56,20 @@ fn about(scenes: &[Scene], options: &Options, (host, plugin): (&Host, &Plugin), 
     }
 }
 
-/// What the processor calls itself.
+/// The name of the processor.
 fn processor() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info.lines().find_map(|l| l.strip_prefix("model name")?.split_once(':'));
     model.map_or(std::env::consts::ARCH.into(), |(_, name)| name.trim().to_string())
 }
 
-/// How many processes wanted to run over the last minute, on average.
+/// The load of the machine: the average number of processes that wanted to run over the last minute.
 pub fn load() -> f64 {
     let text = fs::read_to_string("/proc/loadavg").unwrap_or_default();
     text.split(' ').next().and_then(|word| word.parse().ok()).unwrap_or(f64::NAN)
 }
 
-/// The sides that wrote what stock wrote are one check; each of the others is one of its own.
+/// One check for all sides that wrote the same dumps as stock, and one for each of the others.
 fn checks(scene: &Scene) -> Vec<Check> {
     let check = |name, outcome| Check {
         name,
@@ -90,7 +90,7 @@ fn checks(scene: &Scene) -> Vec<Check> {
     same.into_iter().chain(others).collect()
 }
 
-/// The sides that some scene has, in the order in which they first appear.
+/// The sides that appear in any scene, in the order in which they first do.
 fn sides(scenes: &[Scene]) -> Vec<Side> {
     let mut found = Vec::new();
     for timed in scenes.iter().flat_map(|s| &s.sides).filter(|t| !t.pair.is_empty()) {
@@ -116,7 +116,7 @@ fn bars(scenes: &[Scene]) -> Bars {
     }
 }
 
-/// A line per scene: what most readers want.
+/// The short table, with a line per scene.
 fn short(scenes: &[Scene]) -> Table {
     let sides = sides(scenes);
     let mut columns = vec!["scene".to_string()];
@@ -142,7 +142,7 @@ fn number(spread: Option<Spread>) -> Cell {
     spread.map_or(Cell::from("–"), |s| Cell::Number(s.at))
 }
 
-/// A line per scene and side: everything.
+/// The full table, with a line per scene and side.
 fn long(scenes: &[Scene]) -> Table {
     let heads = [
         "scene",
@@ -161,7 +161,7 @@ fn long(scenes: &[Scene]) -> Table {
         "dump",
     ];
     let row = |scene: &Scene, timed: &Timed| {
-        let median = |v: &[f64]| number(super::quartiles(v.iter().copied()));
+        let median = |v: &[f64]| number(quartiles(v.iter().copied()));
         let mut row =
             vec![scene.name.clone().into(), Cell::Count(scene.ranks as u64), timed.side.to_string().into()];
         row.extend([median(&timed.pair), median(&timed.whole), number(scene.per_contact(timed))]);
@@ -181,7 +181,7 @@ fn long(scenes: &[Scene]) -> Table {
     }
 }
 
-/// What became of a side's dumps.
+/// Whether the dumps of a side agree, in a word.
 pub(super) fn word(timed: &Timed) -> String {
     match &timed.outcome {
         Outcome::Agreed if timed.side == Side::Stock => "the measure".into(),

@@ -1,6 +1,6 @@
 //! A scene on the terminal.
 use super::page::word;
-use super::{quartiles, Scene, Side};
+use super::scene::{quartiles, Scene, Side};
 use crate::report::page::Spread;
 use crate::report::Outcome;
 
@@ -49,7 +49,7 @@ fn range(s: Spread) -> String {
     format!("{:.3} ({:.3}–{:.3})", s.at, s.low, s.high)
 }
 
-/// How the whole went, in words.
+/// The result of the whole benchmark, in words.
 pub fn summary(scenes: &[Scene]) -> String {
     let count =
         |f: fn(&Outcome) -> bool| scenes.iter().flat_map(|s| &s.sides).filter(|t| f(&t.outcome)).count();

@@ -1,9 +1,9 @@
-//! Histories to plot, collected while rows go by.
+//! Histories to plot, collected while the rows of a trace are read.
 use crate::report::Curve;
 use crate::trace::Row;
 use nalgebra::Vector3;
 
-/// Overlap \[m\] and normal force \[N\] of a recorded call; across a gap, of what acts there.
+/// Overlap \[m\] and normal force \[N\] of a recorded call; across a gap, minus the gap and the force of what acts there.
 pub(crate) fn shown(row: &Row) -> (f64, f64) {
     match row.touch {
         true => (row.surface.deltan, row.handed.fn_),
@@ -38,10 +38,10 @@ struct Point {
 }
 
 impl Follow {
-    /// Beyond this number every other point is dropped, and from then on not taken.
+    /// When there are so many points, every other one is dropped, and from then on only every other row is taken.
     pub const POINTS: usize = 20_000;
 
-    /// A row of the first answer with overlap and normal force of the second.
+    /// Adds a row of the first answer, with overlap and normal force of the second.
     pub fn row(&mut self, row: &Row, overlap: f64, force: f64) {
         let (i, j) = (row.gap.i.tag, row.gap.j.tag);
         let tags = (i.min(j), i.max(j));

@@ -1,5 +1,5 @@
 //! LIGGGHTS's text dumps (`dump ... custom`).
-use super::CompareError;
+use super::error::CompareError;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
@@ -18,10 +18,10 @@ pub fn is_dump(path: &Path) -> io::Result<bool> {
     Ok(start == FIRST.as_bytes())
 }
 
-/// How two dumps compare.
+/// The result of comparing two dumps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dumps {
-    /// Frames that are equal byte for byte.
+    /// Number of frames that are equal byte for byte.
     pub frames: u64,
     /// The first difference, if there is one.
     pub difference: Option<Difference>,
@@ -38,13 +38,13 @@ pub struct Difference {
     pub id: Option<i64>,
     /// The column; `line` where it is not about a particle.
     pub column: String,
-    /// What the dump on trial has; empty where it ends.
+    /// The text in the dump on trial; empty where it has ended.
     pub got: String,
-    /// What the other has; empty where it ends.
+    /// The text in the other; empty where it has ended.
     pub expected: String,
 }
 
-/// Compare two dumps byte for byte; the second is the one held against.
+/// Compare two dumps byte for byte; the second is the reference.
 ///
 /// # Errors
 /// If either cannot be read or is not a dump.
@@ -64,7 +64,7 @@ pub fn dumps(got: &Path, expected: &Path) -> Result<Dumps, CompareError> {
     }
 }
 
-/// A dump, line by line, with what the last headings said.
+/// A dump, read line by line, with the step and columns of the present frame.
 struct Lines {
     input: BufReader<File>,
     file: String,
@@ -129,7 +129,7 @@ impl Lines {
         (about_one && !self.bytes.is_empty()).then(|| self.text().split_whitespace().collect())
     }
 
-    /// What was read of a frame, if it is whole.
+    /// The frame that was read, if it is complete.
     fn frame(&self, particles: HashMap<i64, Vec<f64>>, step: i64) -> Result<Frame, CompareError> {
         if particles.len() as u64 != self.atoms {
             return Err(self.halved(particles.len()));
@@ -141,7 +141,7 @@ impl Lines {
         self.damaged(format!("a frame has {n} of its {} particles", self.atoms))
     }
 
-    /// The present lines of both differ; where?
+    /// The present lines of both differ: finds where.
     fn difference(&self, got: &Lines) -> Difference {
         let whole = |l: &Lines| String::from_utf8_lossy(&l.bytes).trim_end().to_string();
         let mut d = Difference {
@@ -195,7 +195,7 @@ impl Frame {
     pub fn each(path: &Path, mut one: impl FnMut(Frame)) -> Result<(), CompareError> {
         let mut lines = Lines::open(path)?;
         let mut particles = HashMap::new();
-        // A heading ends a frame; by then it has been read over the step of the frame before.
+        // A frame ends at the heading of the next, whose step has then replaced its own.
         let mut last = 0;
         while lines.next()? {
             if lines.text() == FIRST && lines.line > 1 {

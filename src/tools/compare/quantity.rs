@@ -16,13 +16,13 @@ pub struct Spot {
 /// The largest difference of a quantity.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// Where.
+    /// Where it is.
     pub spot: Spot,
     /// Which component, for instance `.x`; empty for a scalar.
     pub part: &'static str,
     /// The answer on trial.
     pub got: f64,
-    /// The answer it is held against.
+    /// The reference answer.
     pub expected: f64,
     /// The absolute difference; infinite where only one of the two is a number or either is NaN.
     pub difference: f64,
@@ -42,7 +42,7 @@ pub struct Quantity {
 const AXES: [&str; 3] = [".x", ".y", ".z"];
 
 impl Quantity {
-    /// Nothing compared yet.
+    /// A quantity of which nothing was compared yet.
     pub fn new(name: impl Into<String>) -> Quantity {
         Quantity { name: name.into(), peak: 0.0, worst: None }
     }
@@ -54,7 +54,7 @@ impl Quantity {
         self.hold(spot, "", got, expected);
     }
 
-    /// Compare two vectors: components are held against the peak of the length.
+    /// Compare two vectors: the error of each component is relative to the peak of the length.
     #[inline]
     pub fn vector(&mut self, spot: Spot, got: &Vector3<f64>, expected: &Vector3<f64>) {
         self.raise(expected.norm());
@@ -91,7 +91,7 @@ impl Quantity {
         self.worst.is_none()
     }
 
-    /// For a report; `None` where nothing differs.
+    /// The largest difference, as it stands in a report; `None` if nothing differs.
     pub fn report(&self) -> Option<report::Worst> {
         self.worst.as_ref().map(|w| report::Worst {
             step: w.spot.step,

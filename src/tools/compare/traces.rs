@@ -4,25 +4,25 @@ use crate::report::Curve;
 use crate::trace::{Cell, Reader, Row, COLUMNS};
 use std::path::Path;
 
-/// How two traces compare.
+/// The result of comparing two traces.
 #[derive(Clone, Debug)]
 pub struct Traces {
-    /// Rows compared.
+    /// Number of rows compared.
     pub rows: u64,
     /// Every column: inputs, results and history.
     pub quantities: Vec<Quantity>,
-    /// The first row that the other trace does not have there; nothing behind it was compared.
+    /// The first row that has no counterpart in the other trace; nothing after it was compared.
     pub stray: Option<Stray>,
-    /// The first contact in both.
+    /// The history of the first contact, in both.
     pub curves: [Curve; 2],
 }
 
 /// A row without a counterpart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stray {
-    /// What the trace on trial has; `None` where it ends.
+    /// The row of the trace on trial; `None` where that has ended.
     pub got: Option<Spot>,
-    /// What the other has; `None` where it ends.
+    /// The row of the other; `None` where that has ended.
     pub expected: Option<Spot>,
 }
 
@@ -41,7 +41,7 @@ impl Traces {
     }
 }
 
-/// Compare two traces; the second is the one held against, and `answers` names the two for the curves.
+/// Compare two traces; the second is the reference. `answers` names the two in the curves.
 ///
 /// # Errors
 /// If either cannot be read.
@@ -95,7 +95,7 @@ fn row(quantities: &mut [Quantity], spot: Spot, x: &mut Row, y: &mut Row) {
     }
 }
 
-/// Whole numbers in a trace are far below 2⁵³.
+/// The number of a whole-number column. These are far below 2⁵³, so nothing is lost.
 fn scalar(cell: Cell<'_>) -> f64 {
     match cell {
         Cell::Flag(x) => f64::from(u8::from(*x)),

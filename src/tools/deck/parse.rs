@@ -1,11 +1,14 @@
 //! The grammar of the comments: one line, one statement; `README.md` has the table.
-use super::{After, Asked, Deck, DeckError, Final, What};
-use super::{PLUGIN_REASON, REPLAY_REASON};
+use super::asked::{After, Asked, Deck, Final, What};
+use super::error::DeckError;
 use crate::spelling;
 use std::path::Path;
 
 const MARK: &str = "# granlaw:";
 const STATEMENTS: [&str; 5] = ["title", "ranks", "after", "every", "check"];
+const REPLAY_REASON: &str =
+    "the same operations in the same order may differ by a few rounding errors of the peak";
+const PLUGIN_REASON: &str = "the same operations on the same numbers give the same bits";
 const CHECKS: [&str; 5] = ["replay", "plugin", "two-body", "final", "same-as"];
 
 type Said<T> = Result<T, String>;
@@ -53,7 +56,7 @@ pub(super) fn deck(path: &Path, text: &str) -> Result<Deck, DeckError> {
     })
 }
 
-/// Whether a line looks like one of ours although its beginning is not.
+/// Whether a line was probably meant for granlaw although it does not begin as it must.
 fn meant(line: &str) -> bool {
     let rest = line.trim_start().strip_prefix('#').map(|r| r.trim_start_matches([' ', '\t', '#']));
     rest.and_then(|r| r.get(..7)).is_some_and(|word| word.eq_ignore_ascii_case("granlaw"))

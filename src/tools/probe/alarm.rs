@@ -4,8 +4,8 @@ use granlaw::critical::{Mode, SAFE, SAFE_BOND};
 use granlaw::law::Kind;
 
 impl Follower {
-    /// A sentence for the first contact of a pair of types for which the time step is too long; once for each. Chains with
-    /// bonds are left out, see [`Follower::bonds_alarm`]: a bond is infinitely stiff where its compression begins.
+    /// A warning in words, when the time step is first found too long for a pair of types; one warning for each pair of types. Chains
+    /// with bonds are left out, as a bond is infinitely stiff where its compression begins; see [`Follower::bonds_alarm`].
     pub fn alarm(&mut self) -> Option<String> {
         let header = self.header();
         if header.bonds().is_some() {
@@ -37,7 +37,7 @@ impl Follower {
 }
 
 impl Follower {
-    /// The same of the bonds that particles like these can have, two bodies alone.
+    /// The same for the bonds that two particles like these can have, before any bond has begun.
     pub(super) fn bonds_alarm(&mut self, grains: &[Grains]) -> Option<String> {
         let keyword = self.header().bonds()?.keyword.clone();
         let (dt, types, who) = (self.header().dt, self.header().types, self.header().who.clone());

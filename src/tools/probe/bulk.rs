@@ -1,7 +1,7 @@
-//! What a scene does as a whole, at up to [`SAMPLES`] moments however long it runs.
+//! What a scene does as a whole, sampled at up to [`SAMPLES`] moments, however long the run.
 use serde::{Deserialize, Serialize};
 
-/// When there are so many samples, every second one is dropped, and from then on they are taken half as often.
+/// The most samples. When there are so many, every second one is dropped, and from then on they are taken half as often.
 pub const SAMPLES: usize = 512;
 
 /// The scene over time.
@@ -14,8 +14,8 @@ pub struct Bulk {
     pub samples: Vec<Sample>,
 }
 
-/// A moment, before the contact forces of its step. Sums since the first step can be thinned without loss: their
-/// differences are means over the time between.
+/// A moment, before the contact forces of its step. Contacts and wall forces are summed from the first step on: if samples are
+/// dropped, the differences of the sums are still exact means over the time between.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sample {
@@ -23,7 +23,7 @@ pub struct Sample {
     pub step: i64,
     /// Time since the first step \[s\].
     pub time: f64,
-    /// Particles.
+    /// Number of particles.
     pub particles: u64,
     /// Their mass \[kg\].
     pub mass: f64,
@@ -31,19 +31,19 @@ pub struct Sample {
     pub kinetic: f64,
     /// That of their spin \[J\].
     pub rotational: f64,
-    /// Sum of mass times position \[kg m\]; over the mass it is the centre.
+    /// Sum of mass times position \[kg m\]; divided by the mass it is the centre of mass.
     pub moment: [f64; 3],
     /// The lowest coordinates that any particle reaches \[m\]; 0 where there is none.
     pub low: [f64; 3],
     /// The highest \[m\].
     pub high: [f64; 3],
-    /// Contact calls between particles since the first step: over the steps, the number of contacts.
+    /// Contact calls between particles since the first step; divided by the steps it is the number of contacts.
     pub contacts: u64,
     /// Momentum that each wall fix has handed to the particles since the first step \[N s\].
     pub walls: Vec<[f64; 3]>,
 }
 
-/// Takes the samples.
+/// Decides when a sample is taken.
 #[derive(Clone, Debug)]
 pub(super) struct Clock {
     pub time: f64,
@@ -59,7 +59,7 @@ impl Default for Clock {
 }
 
 impl Clock {
-    /// A step begins. The result is whether a sample is due.
+    /// A step begins. Returns whether a sample is due.
     pub fn tick(&mut self, step: i64, dt: f64) -> bool {
         if let Some(last) = self.last {
             self.time += (step - last).max(0) as f64 * dt;
@@ -141,7 +141,7 @@ impl Bulk {
         }
     }
 
-    /// The place of a wall; a new one is entered with nothing in all samples so far.
+    /// The index of a wall. A new wall is added, with zeros in all samples so far.
     pub(super) fn wall(&mut self, name: &str) -> usize {
         let at = self.walls.iter().position(|w| w == name).unwrap_or(self.walls.len());
         if at == self.walls.len() {

@@ -1,5 +1,5 @@
-//! Contacts kept as they were, a few of every class, so that they can be lived through again.
-use super::Call;
+//! Keeps a few contacts of every class as examples, with all that is needed to repeat them.
+use super::call::Call;
 use granlaw::law::Contact;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// How many examples a class keeps.
 pub const KEPT: usize = 24;
 
-/// What sizes and weights two partners have.
+/// Sizes and masses of the two partners.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Partners {
@@ -27,7 +27,7 @@ pub struct Partners {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Impact {
-    /// Who meets.
+    /// The two bodies.
     pub partners: Partners,
     /// Relative velocity \[m/s\]; x is negative.
     pub v: [f64; 3],
@@ -59,7 +59,7 @@ pub struct End {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Pressed {
-    /// Who meets.
+    /// The two bodies.
     pub partners: Partners,
     /// Mean normal force \[N\].
     pub normal: f64,
@@ -69,13 +69,13 @@ pub struct Pressed {
     pub push: f64,
     /// Largest attraction \[N\].
     pub pull: f64,
-    /// How long it was seen \[s\].
+    /// Time for which it was seen \[s\].
     pub time: f64,
-    /// Largest normal stiffness that the laws handed along \[N/m\].
+    /// Largest normal stiffness that the normal law gave to the laws after it \[N/m\].
     pub kn: f64,
 }
 
-/// Contacts that are alike.
+/// A class of similar contacts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Class<T> {
@@ -90,11 +90,12 @@ pub struct Class<T> {
     pub impulse: f64,
     /// Work that they took out of the motion \[J\].
     pub dissipated: f64,
-    /// Some of them, drawn evenly.
+    /// Some of them, drawn at random.
     pub examples: Vec<Drawn<T>>,
 }
 
-/// An example with its lot: those with the lowest lots are kept, which draws evenly over any number of ranks.
+/// An example with its lot, a random number. The examples with the lowest lots are kept, so that the choice is fair over any number of
+/// ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drawn<T> {
     /// Its lot.
@@ -156,12 +157,12 @@ impl Pressed {
 /// The normal, the direction of slip, and what is normal to both.
 fn axes(x: &Contact) -> [Vector3<f64>; 3] {
     let n = x.surface.en;
-    // A slip that is rounding alone has any direction, along the normal too.
+    // A slip of nothing but rounding error has a random direction, which may be that of the normal.
     let least = 1e-12 * (x.gap.i.v - x.gap.j.v).norm();
     let across = |v: Vector3<f64>| (v - n * n.dot(&v)).try_normalize(least);
     // Any direction will do where nothing slips; the axis furthest from the normal cannot fail.
     let t = across(x.surface.vtr).unwrap_or_else(|| Vector3::ith(n.iamin(), 1.0));
-    // Once more, as the first time leaves what rounding makes of a small slip.
+    // Once more, as rounding errors leave a part along the normal where the slip is small.
     let t = (t - n * n.dot(&t)).normalize();
     [n, t, n.cross(&t)]
 }
@@ -170,12 +171,12 @@ fn part(x: f64, edges: [f64; 3]) -> u8 {
     edges.iter().filter(|e| x >= **e).count() as u8
 }
 
-/// The octave in which a positive number lies.
+/// The octave of a positive number.
 pub(super) fn octave(x: f64) -> i32 {
     x.log2().floor() as i32
 }
 
-/// Finds the class, or begins it, and counts.
+/// Counts a contact in its class, which is made if there is none yet.
 pub(super) fn enter<T: Copy>(
     classes: &mut Vec<Class<T>>,
     (octave, slant): (i32, u8),
@@ -194,7 +195,7 @@ pub(super) fn enter<T: Copy>(
     merge(classes, one);
 }
 
-/// Adds a class to the one of its kind, or behind the others.
+/// Adds the contacts of a class to the class of the same octave and slant, or appends it.
 pub(super) fn merge<T: Copy>(classes: &mut Vec<Class<T>>, other: Class<T>) {
     let same = |c: &&mut Class<T>| (c.octave, c.slant) == (other.octave, other.slant);
     let Some(class) = classes.iter_mut().find(same) else {

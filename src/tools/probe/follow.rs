@@ -1,8 +1,9 @@
-//! Following the contacts of one chain on one rank.
+//! Follows the contacts of one chain on one rank.
+use super::call::Call;
+use super::contacts::Contacts;
 use super::live::{Live, Over};
 use super::tally::{Fastest, LawShare, TypePair};
 use super::work::Motion;
-use super::{Call, Contacts};
 use crate::trace::Header;
 use granlaw::chain::Chain;
 use granlaw::law::{Contact, Gap, Kind, Reach, Stage};
@@ -15,18 +16,18 @@ use std::time::Instant;
 /// At most so many contacts are followed at a time. When there are more, every second pair of particles is let go,
 /// chosen by a hash of their numbers, and those that stay count twice.
 pub const FOLLOWED: usize = 512;
-/// So few are all followed. Of more, at most a quarter, mostly an eighth: that keeps a probed run below 1.5
-/// times the time of a plain one, as following a contact costs more than evaluating it.
+/// Up to this many contacts are all followed. Of more, at most a quarter are, and mostly an eighth, as following a contact costs
+/// more than evaluating it.
 const FEW: usize = 4;
-/// All of so many where the cost does not matter.
+/// Up to this many are all followed where the cost does not matter.
 const MANY: usize = 4096;
 
-/// One in so many calls is timed; calls come in no order that would have to do with it.
+/// One in this many calls is timed. It is a prime number, so that it keeps no step with the order of the calls.
 const TIMED: u64 = 61;
-/// A call that seems to take longer did not have the processor \[s\].
+/// A call that seems to take longer than this was interrupted, and counts with this time \[s\].
 const LONGEST: f64 = 5e-6;
 
-/// Numbers of the partners, and what tells apart the meshes that number their triangles alike.
+/// Numbers of the partners, and a number that tells meshes apart, which may number their triangles alike.
 type Key = (i64, i64, usize);
 
 /// Follows the contacts of one chain.
@@ -42,19 +43,19 @@ pub struct Follower {
     /// Where the types of a call are in `contacts.pairs`.
     places: Vec<Option<usize>>,
     live: FxHashMap<Key, Live>,
-    /// So many are all followed, and never more than `most`.
+    /// Up to `few` contacts are all followed, and never more than `most`.
     few: usize,
     most: usize,
-    /// Time that calls took \[s\].
+    /// Time that following took \[s\].
     seconds: f64,
-    /// The step at hand, the calls before it, and the calls in the step before.
+    /// The present step, the number of calls before it, and that of the calls in the step before.
     step: i64,
     before: u64,
     touching: usize,
     history: Vec<f64>,
-    /// The pairs of types for which the time step was said to be too long.
+    /// The pairs of types for which it was warned that the time step is too long.
     told: Vec<bool>,
-    /// The same of their bonds, by types.
+    /// The same for their bonds.
     told_bonds: Vec<bool>,
     /// Momentum that a wall handed to particles \[N s\]; zero for the pair style.
     pub(super) impulse: Vector3<f64>,
@@ -69,7 +70,7 @@ impl Follower {
         let beyond = laws().map(|m| m.reach == Reach::Beyond).collect();
         let friction = header.laws.iter().flat_map(|l| &l.properties).find(|p| p.name == prop::FRICTION.name);
         let none = vec![f64::INFINITY; header.types * header.types];
-        // Without friction nothing slips in its sense.
+        // Without friction there is no Coulomb limit, so nothing counts as slip.
         let mu = friction.map_or(none, |p| {
             p.values.iter().map(|mu| if *mu > 0.0 { *mu } else { f64::INFINITY }).collect()
         });
@@ -98,13 +99,13 @@ impl Follower {
         }
     }
 
-    /// Follows as many contacts as there is room for, at any cost.
+    /// Follows up to [`MANY`] contacts, at any cost.
     pub fn closely(mut self) -> Follower {
         (self.few, self.most) = (MANY, MANY);
         self
     }
 
-    /// Time that following took, from a sample of the calls \[s\].
+    /// Time that following took, estimated from a sample of the calls \[s\].
     pub(super) fn seconds(&self) -> f64 {
         self.seconds
     }
@@ -113,12 +114,12 @@ impl Follower {
         &self.contacts.header
     }
 
-    /// The pairs of types so far, and of which the alarm was told.
+    /// The pairs of types so far, and those for which there was a warning.
     pub(super) fn told(&mut self) -> (&[TypePair], &mut Vec<bool>) {
         (&self.contacts.pairs, &mut self.told)
     }
 
-    /// The laws, if granlaw has all of them, and for which pairs of types the alarm of bonds was told.
+    /// The laws, if granlaw has all of them, and the pairs of types for which there was a warning about bonds.
     pub(super) fn bonds(&mut self) -> Option<(&mut Chain, &mut Vec<bool>)> {
         self.chain.as_mut().map(|chain| (chain, &mut self.told_bonds))
     }
@@ -127,21 +128,21 @@ impl Follower {
         self.contacts.calls
     }
 
-    /// Surfaces overlap, in a call of this chain. The result is whether the contact is one of those that are followed,
-    /// and [`Follower::touched`] is to be called; this one is cheap.
+    /// Counts a call of this chain with overlapping surfaces. Returns whether the contact is followed: then [`Follower::touched`] is
+    /// to be called too. This function is cheap.
     #[inline]
     pub fn sees(&mut self, tags: (i64, i64)) -> bool {
         self.contacts.calls += 1;
         drawn(tags, self.contacts.share)
     }
 
-    /// A wall pushed a particle for a step.
+    /// Adds the force of a wall on a particle in a step.
     #[inline]
     pub fn pushed(&mut self, force: &Vector3<f64>, dt: f64) {
         self.impulse += force * dt;
     }
 
-    /// A followed contact, in a call that may write history.
+    /// A call of a followed contact that may write history.
     pub fn touched(&mut self, call: &Call<'_>) {
         if !self.contacts.calls.is_multiple_of(TIMED) {
             return self.follow(call);
@@ -151,8 +152,8 @@ impl Follower {
         self.seconds += begun.elapsed().as_secs_f64().min(LONGEST) * TIMED as f64;
     }
 
-    /// Surfaces do not overlap, in a call of this chain that may write history, with the history before it: what laws that act
-    /// across gaps bear is counted, of the pairs that are followed.
+    /// A call of this chain without overlap that may write history, with the history before it. For pairs that are followed, the
+    /// load of laws that act across gaps is counted.
     pub fn across(&mut self, types: (usize, usize), gap: &Gap, before: &[f64]) {
         let share = self.contacts.share;
         let Some(chain) = self.chain.as_mut().filter(|_| drawn((gap.i.tag, gap.j.tag), share)) else {
@@ -166,7 +167,7 @@ impl Follower {
                 load = load.max(t.load);
             }
         });
-        // No bond, or one that bears nothing.
+        // Without a bond, or with one that carries nothing, there is nothing to count.
         if load > 0.0 {
             let at = self.place(types, gap.call.is_wall);
             let gaps = &mut self.contacts.pairs[at].gaps;
@@ -218,7 +219,7 @@ impl Follower {
         live.step(call, &motion, load, mu, pair);
     }
 
-    /// Everything that is known once the run is over.
+    /// The result, once the run is over.
     pub fn finish(mut self) -> Contacts {
         for (_, live) in std::mem::take(&mut self.live) {
             let at = live.at;
@@ -230,7 +231,7 @@ impl Follower {
 
     fn tick(&mut self, step: i64) {
         if step != self.step {
-            // The call at hand belongs to the new step.
+            // The present call belongs to the new step.
             let calls = self.contacts.calls.saturating_sub(1);
             (self.touching, self.before, self.step) =
                 ((calls.saturating_sub(self.before)) as usize, calls, step);
@@ -270,11 +271,11 @@ impl Follower {
             let at = l.at;
             l.end(Over::Gone, &mut pairs[at]);
         });
-        // Room for a quarter more, or this would happen at every call.
+        // A quarter of the room is left free, or this would happen at every call.
         while self.live.len() > self.room() * 3 / 4 {
             self.contacts.share *= 2;
             let share = self.contacts.share;
-            // What is let go was seen up to here, as if the run were over.
+            // Contacts that are let go count as far as they were seen, as at the end of a run.
             for (_, l) in self.live.extract_if(|key, _| !drawn((key.0, key.1), share)) {
                 let at = l.at;
                 l.end(Over::End, &mut self.contacts.pairs[at]);
@@ -283,7 +284,8 @@ impl Follower {
     }
 }
 
-/// What each law does; the result is the largest use of a limit, and how far their force is from that of the run.
+/// Adds up what each law does. Returns the largest use of a limit, and the relative difference between the force of the laws and that
+/// of the run.
 fn laws(
     (chain, kinds): (&mut Chain, &[Kind]),
     history: &mut Vec<f64>,
@@ -305,7 +307,7 @@ fn laws(
             fastest.stiffness += t.stiffness;
             fastest.damping += t.damping;
         }
-        // A normal dashpot acts on the mean velocity of its step, as all work here.
+        // All work is taken along the mean velocity of the step, so that of a normal dashpot is too.
         let damped = if kinds[k] == Kind::Normal { t.dissipated * faster } else { t.dissipated };
         shares[k].observed(t.branch, damped, dt * weight);
     });
@@ -328,21 +330,21 @@ fn laws(
     (load, residual)
 }
 
-/// Adds what is a number: the overlap of surfaces that meet to the last bit may come out below zero, for which some springs
-/// have none, where a bond stands in their place.
+/// Adds `x` if it is finite. Where surfaces just touch, rounding may make the overlap negative, and some springs then give NaN; that
+/// force is not used where a bond takes its place.
 fn add(sum: &mut f64, x: f64) {
     if x.is_finite() {
         *sum += x;
     }
 }
 
-/// Whether a pair of particles is among the one in `share` that are followed; `share` is a power of two.
+/// Whether a pair of particles is followed, as one in `share` pairs is; `share` is a power of two.
 #[inline]
 fn drawn((i, j): (i64, i64), share: u64) -> bool {
     share == 1 || mix(i.min(j), i.max(j)) & (share - 1) == 0
 }
 
-/// The lot of a contact that began in a step; not the bits that [`drawn`] looks at.
+/// The lot of a contact that began in a step, made of other bits than [`drawn`] looks at.
 fn lot(key: Key, step: i64) -> u32 {
     (mix((mix(key.0, key.1) >> 1) as i64, step) >> 32) as u32
 }

@@ -1,5 +1,5 @@
-//! The particles of a scene by type: what limits the time step before any of them has touched.
-use super::Particles;
+//! The particles of a scene by type. Their sizes limit the time step, even before any of them has touched.
+use super::particles::Particles;
 use granlaw::law::Size;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -11,7 +11,7 @@ pub struct Grains {
     /// The type, from 1.
     #[serde(rename = "type")]
     pub kind: i32,
-    /// How many there were when they were last looked at.
+    /// Their number in the last sample.
     pub count: u64,
     /// Smallest and largest radius \[m\].
     pub radius: [f64; 2],
@@ -27,8 +27,8 @@ impl Grains {
         Grains { kind, count: 0, radius, density, fastest: 0.0 }
     }
 
-    /// Pairs of the smallest and largest of these with the smallest and largest of `partner`; of none, each with a wall.
-    /// They are as light as the lightest.
+    /// The pairs of the smallest and the largest of these with the smallest and the largest of `partner`, or each with a wall if there
+    /// is none. Masses are those of the lowest density.
     pub fn sizes(&self, partner: Option<&Grains>) -> Vec<Size> {
         let ends = |g: &Grains| g.radius.map(|r| (r, 4.0 / 3.0 * PI * r.powi(3) * g.density[0]));
         let wall = partner.is_none();

@@ -1,15 +1,15 @@
-//! Counts over sizes that span many decades, in bounded memory.
+//! Histograms of quantities that span many decades, in bounded memory.
 use serde::{Deserialize, Serialize};
 
-/// Bins to the octave: a bin is at most an eighth wide, relative to its lower edge.
+/// Bins in an octave. The width of a bin is at most an eighth of its lower edge.
 const PARTS: u64 = 8;
-/// Bits of an `f64` below exponent and the part of the octave.
+/// The bits of an `f64` that are below its exponent and the bits that number the bin in the octave.
 const BELOW: u32 = 52 - PARTS.trailing_zeros();
-/// The lowest bin begins at 2⁻⁶⁴, the highest ends at 2⁶⁴; what is beyond counts in the outermost.
+/// The lowest bin begins at 2⁻⁶⁴ and the highest ends at 2⁶⁴; values beyond count in the outermost bins.
 const LOWEST: u64 = (1023 - 64) * PARTS;
 const BINS: usize = 128 * PARTS as usize;
 
-/// How often which size occurred. Edges are powers of two and the seven numbers between each two of them.
+/// How often each size occurred. The edges of the bins are the powers of two, and seven numbers evenly between each two of them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(from = "Written", into = "Written")]
 pub struct Histogram {
@@ -20,19 +20,19 @@ pub struct Histogram {
     range: Option<(f64, f64)>,
 }
 
-/// A bin with something in it: what counts in it is at least `from` and below `to`.
+/// A bin that is not empty. Its values are at least `from` and below `to`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bin {
     /// Lower edge.
     pub from: f64,
     /// Upper edge.
     pub to: f64,
-    /// How often.
+    /// Number of values.
     pub count: u64,
 }
 
 impl Histogram {
-    /// Count `x`, which stands for `weight` of its like. What is not above zero counts as zero, NaN not at all.
+    /// Counts `x`, `weight` times. What is not above zero counts as zero; NaN is not counted.
     pub fn add(&mut self, x: f64, weight: u64) {
         if x.is_nan() {
             return;
@@ -52,7 +52,7 @@ impl Histogram {
         self.counts[bin(x)] += weight;
     }
 
-    /// Count everything that the other one counted.
+    /// Adds the counts of another histogram.
     pub fn merge(&mut self, other: &Histogram) {
         if self.counts.is_empty() {
             self.counts.clone_from(&other.counts);
@@ -68,12 +68,12 @@ impl Histogram {
         };
     }
 
-    /// How many were counted.
+    /// Number of values counted.
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// How many of them were zero.
+    /// Number of values that were zero.
     pub fn zero(&self) -> u64 {
         self.zero
     }
@@ -88,13 +88,13 @@ impl Histogram {
         self.range
     }
 
-    /// The bins with something in them, from the lowest; zeros are not among them.
+    /// The bins that are not empty, from the lowest; zeros are in none of them.
     pub fn bins(&self) -> impl Iterator<Item = Bin> + '_ {
         let filled = self.counts.iter().enumerate().filter(|(_, n)| **n > 0);
         filled.map(|(k, n)| Bin { from: edge(k), to: edge(k + 1), count: *n })
     }
 
-    /// The size that a share of all stays at or below, to the width of a bin; `None` if there are none.
+    /// The quantile: a size that this share of all values does not exceed, to the width of a bin; `None` if there are none.
     pub fn quantile(&self, share: f64) -> Option<f64> {
         let (low, high) = self.range?;
         let wanted = (share * self.count as f64).max(1.0);

@@ -1,18 +1,18 @@
-//! A contact while it lasts.
+//! A followed contact, while it lasts.
+use super::call::Call;
 use super::examples::{self, Drawn, Impact, Partners, Pressed};
 use super::tally::TypePair;
 use super::work::Motion;
-use super::Call;
 
-/// Longer than this many half periods of its own spring, a contact is pressed rather than an impact.
+/// A contact that lasts longer than this many half periods of its own spring counts as pressed, a shorter one as an impact.
 const IMPACT: f64 = 8.0;
-/// From then on its laws are asked in every so many steps, each time for all of them: it changes little from one to the next,
-/// and to ask them is most of what the probe costs.
+/// From then on its laws are evaluated only in one of this many steps, and the result counts for all of them: it changes little from one
+/// step to the next, and evaluating laws is most of the cost of a probe.
 const SELDOM: u64 = 4;
 
 /// A followed contact.
 pub(super) struct Live {
-    /// Where its [`TypePair`] is.
+    /// Index of its [`TypePair`].
     pub at: usize,
     pub last: i64,
     lot: u32,
@@ -26,11 +26,11 @@ pub(super) struct Live {
     push: f64,
     pull: f64,
     load: f64,
-    /// Largest kn that the normal law handed along \[N/m\].
+    /// Largest kn that the normal law gave to the laws after it \[N/m\].
     kn: f64,
     impulse: [f64; 2],
     work: f64,
-    /// Normal velocity once the last force has acted \[m/s\], and whether it parts the surfaces in the next step.
+    /// Normal velocity after the last force has acted \[m/s\], and whether the surfaces part in the next step at that velocity.
     out: f64,
     parts: bool,
 }
@@ -76,7 +76,7 @@ impl Live {
         }
     }
 
-    /// A step of the contact. `load` is the largest that the laws tell, `mu` the coefficient of friction.
+    /// A step of the contact. `load` is the largest use of a limit that the laws report, `mu` the coefficient of friction.
     pub fn step(&mut self, call: &Call<'_>, motion: &Motion, load: f64, mu: f64, pair: &mut TypePair) {
         let (s, dt) = (&call.contact.surface, call.contact.gap.call.dt);
         let (weight, many) = (self.weight, self.weight as f64);
@@ -92,7 +92,7 @@ impl Live {
         self.impulse[0] += normal.abs() * dt;
         self.impulse[1] += tangential * dt;
         self.out = s.vn + normal * dt / call.contact.gap.meff;
-        // The normal itself turns and the velocity still changes a little, hence the half more.
+        // The factor 1.5 leaves room for a normal that turns and a velocity that still changes a little.
         self.parts = s.deltan <= 1.5 * self.out * dt + reach(call);
         let done = motion.directions(call, normal);
         self.work += done.sum();
@@ -102,13 +102,13 @@ impl Live {
         pair.work.add(&done, many);
         let used = tangential / call.handed.fn_.abs();
         pair.friction.add(used, weight);
-        // Rounding of the limit itself.
+        // The limit itself is rounded.
         if used >= mu * (1.0 - 1e-9) {
             pair.slip += dt * many;
         }
     }
 
-    /// For how many steps the laws are to be asked in the one at hand; 0 if they are not.
+    /// For how many steps an evaluation of the laws in this step is to count; 0 if they are not to be evaluated.
     pub fn turn(&self) -> u64 {
         match self.lasted() {
             false => 1,
@@ -117,13 +117,13 @@ impl Live {
         }
     }
 
-    /// Whether it is no impact any more.
+    /// Whether it has lasted too long to be an impact.
     fn lasted(&self) -> bool {
         let longest = IMPACT * std::f64::consts::PI;
         self.time * self.time * self.kn > longest * longest * self.partners.meff
     }
 
-    /// The contact is over; what it was goes into its pair.
+    /// The contact is over; adds it to its pair of types.
     pub fn end(mut self, over: Over, pair: &mut TypePair) {
         let weight = self.weight;
         let parted = self.parts;
@@ -176,13 +176,13 @@ impl Live {
     }
 }
 
-/// Whether the surfaces met in the step that has just been made: the overlap is no deeper than that step went.
+/// Whether the surfaces first touched in the last step: then the overlap is not larger than the distance moved in that step.
 fn began(call: &Call<'_>) -> bool {
     let s = &call.contact.surface;
     s.vn < 0.0 && s.deltan <= -s.vn * call.contact.gap.call.dt + reach(call)
 }
 
-/// What a step changes of the distance beside the normal velocity \[m\]: the normal turns, and numbers are rounded.
+/// How much the distance can change in a step apart from the normal velocity \[m\], as the normal turns and numbers are rounded.
 fn reach(call: &Call<'_>) -> f64 {
     let g = &call.contact.gap;
     let moved = (g.i.v - g.j.v).norm() * g.call.dt;

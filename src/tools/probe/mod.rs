@@ -1,39 +1,43 @@
 //! A probe: what the contacts of a scene really do, in bounded memory however many there are and however long they run.
 //!
-//! The plugin hands every contact call to a [`Session`] while a deck runs. At most [`FOLLOWED`] contacts of a chain are
-//! followed at a time; in larger scenes an even sample of them, each counting for those that it stands for. What is
-//! kept are counts, sums, histograms, and a few examples of every class of impact and of load, per pair of atom types
-//! and per wall fix. The ranks' probes are merged into one JSON file, a [`Probe`].
+//! The plugin hands every contact call to a [`Session`] while a deck runs. Of many contacts only a sample is followed, at most
+//! [`FOLLOWED`] of a chain at a time, each counting for those that it stands for. A probe keeps counts, sums, histograms, and a few
+//! examples of every class of impact and of load, for each pair of atom types and each wall fix. The probes of all ranks are merged
+//! into one JSON file, a [`Probe`].
 mod alarm;
 mod bulk;
+mod call;
+mod contacts;
 mod examples;
 mod follow;
 mod grains;
 mod histogram;
 mod live;
+mod particles;
 mod session;
 mod tally;
 mod times;
 mod work;
 
 pub use bulk::{Bulk, Sample, SAMPLES};
+pub use call::Call;
+pub use contacts::Contacts;
 pub use examples::{Class, Drawn, End, Impact, Partners, Pressed, KEPT};
 pub use follow::{Follower, FOLLOWED};
 pub use grains::Grains;
 pub use histogram::{Bin, Histogram};
-pub use session::{Particles, Session};
+pub use particles::Particles;
+pub use session::Session;
 pub use tally::{Branches, Counts, Directions, Fastest, Gaps, Impulse, LawShare, TypePair};
 pub use times::Times;
 
-use crate::trace::{Handed, Header};
-use granlaw::law::Contact;
-use nalgebra::Vector3;
+use crate::trace::Header;
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// What the `format` of a file says.
+/// The value of `format` in a file of this version.
 pub const FORMAT: &str = "granlaw probe 2";
 
 /// What a run's contacts did.
@@ -46,12 +50,12 @@ pub struct Probe {
     pub ranks: usize,
     /// Wall-clock time from the first step to the last, with the probe at work \[s\].
     pub seconds: f64,
-    /// What else is known of the time that the run took.
+    /// Other times of the run.
     #[serde(default)]
     pub times: Times,
     /// The pair style and each wall fix; once more where a deck changes laws, coefficients or time step.
     pub chains: Vec<Contacts>,
-    /// `pair`, and `wall ID` of wall fixes, whose contacts were not counted, as granlaw has a twin of none of their laws.
+    /// `pair` or `wall ID` of chains whose contacts were not counted, because none of their laws has a Rust twin.
     #[serde(default)]
     pub unseen: Vec<String>,
     /// The particles by type.
@@ -59,59 +63,6 @@ pub struct Probe {
     pub grains: Vec<Grains>,
     /// The scene as a whole.
     pub bulk: Bulk,
-}
-
-/// What the contacts of one chain did.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Contacts {
-    /// The laws and coefficients as LIGGGHTS resolved them, as in a trace.
-    pub header: Header,
-    /// One in so many pairs of particles was followed at the end.
-    pub share: u64,
-    /// Contact calls with overlapping surfaces, set-up evaluations included.
-    pub calls: u64,
-    /// Calls of followed contacts.
-    pub followed: u64,
-    /// Largest difference between the force of the Rust laws and that of the run, relative to the larger; 0 without Rust
-    /// laws.
-    pub residual: f64,
-    /// Per pair of atom types.
-    pub pairs: Vec<TypePair>,
-}
-
-/// One contact call with overlapping surfaces.
-#[derive(Clone, Copy, Debug)]
-pub struct Call<'a> {
-    /// Atom types from 0.
-    pub types: (usize, usize),
-    /// What the laws saw.
-    pub contact: &'a Contact,
-    /// Tells apart meshes that number their triangles alike.
-    pub place: usize,
-    /// Share of a wall contact that counts; 1 for a pair.
-    pub share: f64,
-    /// History before the call.
-    pub before: &'a [f64],
-    /// What the laws handed along.
-    pub handed: Handed,
-    /// Force on i \[N\].
-    pub force: Vector3<f64>,
-    /// Torque on i \[N m\].
-    pub torque_i: Vector3<f64>,
-    /// Torque on j \[N m\]; of a wall, whatever LIGGGHTS's laws give it.
-    pub torque_j: Vector3<f64>,
-}
-
-impl Call<'_> {
-    /// The torque that turns j: none on a wall.
-    fn on_j(&self) -> Vector3<f64> {
-        if self.contact.gap.call.is_wall {
-            Vector3::zeros()
-        } else {
-            self.torque_j
-        }
-    }
 }
 
 /// Why there is no probe.
@@ -127,7 +78,7 @@ pub enum ProbeError {
         /// What the system says.
         source: io::Error,
     },
-    /// It is something else.
+    /// It is not a probe.
     #[error("{}: not a probe of this granlaw ({why}); make one with granlaw run --probe {0} -- -in DECK", path.display())]
     Foreign {
         /// The file.
@@ -155,8 +106,8 @@ impl Probe {
         self.times.merge(other.times);
     }
 
-    /// One chain for the pair style and one for all walls with the same laws, coefficients and time step, which is then
-    /// called `walls A, B`. Of chains that a deck changes on the way, the one with the most calls; none without calls.
+    /// One chain for the pair style, and one for all walls with the same laws, coefficients and time step, which is then called
+    /// `walls A, B`. If a deck changes a chain on the way, the version with the most calls. Chains without calls are left out.
     pub fn principal(&self) -> Vec<Contacts> {
         let mut busiest: Vec<&Contacts> = Vec::new();
         for c in self.chains.iter().filter(|c| c.calls > 0) {
@@ -214,22 +165,5 @@ impl Probe {
         let mut out = io::BufWriter::new(file);
         serde_json::to_writer(&mut out, self).map_err(|e| io(e.into()))?;
         out.flush().and_then(|()| std::fs::rename(&part, path)).map_err(io)
-    }
-}
-
-impl Contacts {
-    /// Adds what was seen elsewhere of the same chain.
-    pub(crate) fn merge(&mut self, other: Contacts) {
-        self.share = self.share.max(other.share);
-        self.calls += other.calls;
-        self.followed += other.followed;
-        self.residual = self.residual.max(other.residual);
-        for pair in other.pairs {
-            match self.pairs.iter_mut().find(|p| p.types == pair.types) {
-                Some(mine) => mine.merge(pair),
-                None => self.pairs.push(pair),
-            }
-        }
-        self.pairs.sort_by_key(|p| p.types);
     }
 }

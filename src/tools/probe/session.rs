@@ -2,6 +2,7 @@
 use super::bulk::{Bulk, Clock, Sample};
 use super::follow::{Follower, FOLLOWED};
 use super::grains::{self, Grains};
+use super::particles::Particles;
 use super::times::Stopwatch;
 use super::{Probe, FORMAT};
 use crate::trace::Header;
@@ -19,23 +20,6 @@ pub struct Session {
     clock: Clock,
     /// From the first step on.
     watch: Option<Stopwatch>,
-}
-
-/// The particles of a rank.
-#[derive(Clone, Copy, Debug)]
-pub struct Particles<'a> {
-    /// Atom types, from 1.
-    pub kind: &'a [i32],
-    /// Masses \[kg\].
-    pub mass: &'a [f64],
-    /// Radii \[m\].
-    pub radius: &'a [f64],
-    /// Positions \[m\], three numbers each.
-    pub x: &'a [f64],
-    /// Velocities \[m/s\].
-    pub v: &'a [f64],
-    /// Spins \[rad/s\].
-    pub omega: &'a [f64],
 }
 
 impl Session {

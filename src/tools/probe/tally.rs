@@ -51,14 +51,14 @@ pub struct TypePair {
     pub pressed: Vec<Class<Pressed>>,
 }
 
-/// What is borne while surfaces do not overlap, by laws that act across gaps.
+/// The loads of laws that act across gaps, while surfaces do not overlap.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Gaps {
     /// Time of all bonds together \[s\].
     pub time: f64,
-    /// Use of the law's limit, such as the stress of a bond over its strength, once per bond and step; a bond that breaks
-    /// comes to 1 or more.
+    /// Use of the law's limit, such as the stress of a bond over its strength, once per bond and step; it
+    /// reaches 1 when a bond breaks.
     pub load: Histogram,
 }
 
@@ -174,7 +174,7 @@ impl Fastest {
     }
 
     pub(super) fn meet(&mut self, other: Fastest) {
-        // On the kink between two branches a law may tell an infinite tangent.
+        // At the kink between two branches the tangent of a law may be infinite.
         if other.omega().is_finite() && other.omega() > self.omega() {
             *self = other;
         }
@@ -190,7 +190,7 @@ impl Counts {
 }
 
 impl Directions {
-    /// All of it \[J\].
+    /// The sum of all directions \[J\].
     pub fn sum(&self) -> f64 {
         self.normal + self.tangential + self.rolling + self.torsion
     }
@@ -204,7 +204,7 @@ impl Directions {
 }
 
 impl LawShare {
-    /// A branch held for a time \[s\], with the power that went into the dashpot \[W\].
+    /// The law was on a branch for a time \[s\], with this power going into its dashpot \[W\].
     pub(super) fn observed(&mut self, branch: &'static str, damped: f64, time: f64) {
         // See `add` of the follower.
         self.damped += if damped.is_finite() { damped * time } else { 0.0 };

@@ -1,4 +1,4 @@
-//! How long a run takes, and with what.
+//! How long a run takes, and what for.
 use rustix::param::clock_ticks_per_second;
 use rustix::time::{clock_gettime, ClockId, Timespec};
 use serde::{Deserialize, Serialize};
@@ -10,11 +10,11 @@ use std::time::Instant;
 pub struct Times {
     /// Wall-clock time from the start of the process to the first step.
     pub start: f64,
-    /// Wall-clock time between steps with a new neighbour list, beyond that of as many steps without.
+    /// Wall-clock time of steps with a new neighbour list, minus that of as many steps without.
     pub lists: f64,
     /// Processor time of all ranks from the first step to the last.
     pub processor: f64,
-    /// The part of it in which the probe followed contacts; its other costs are small, and not known.
+    /// The part of the processor time that went into following contacts. The other costs of the probe are small and not measured.
     pub probe: f64,
 }
 
@@ -28,7 +28,7 @@ impl Times {
     }
 }
 
-/// Takes them.
+/// Measures the times of a run.
 #[derive(Clone, Debug)]
 pub(super) struct Stopwatch {
     began: Instant,
@@ -40,7 +40,7 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// At the first step.
+    /// Starts at the first step.
     pub fn new() -> Stopwatch {
         let now = Instant::now();
         Stopwatch { began: now, last: now, start: age(), processor: processor(), steps: [(0, 0.0); 2] }
@@ -78,10 +78,10 @@ fn processor() -> f64 {
     seconds(clock_gettime(ClockId::ProcessCPUTime))
 }
 
-/// How long this process has been there \[s\]; 0 where the system does not tell.
+/// The age of this process \[s\]; 0 if the system does not tell it.
 fn age() -> f64 {
     let Ok(stat) = std::fs::read_to_string("/proc/self/stat") else { return 0.0 };
-    // The name of the program may hold anything, and is in brackets; the start is the 22nd word.
+    // The start is the 22nd word. The second is the name of the program, in brackets, which may hold spaces.
     let start = stat.rsplit(')').next().and_then(|rest| rest.split_whitespace().nth(19)?.parse::<f64>().ok());
     let now = seconds(clock_gettime(ClockId::Boottime));
     start.map_or(0.0, |ticks| (now - ticks / clock_ticks_per_second() as f64).max(0.0))

@@ -1,14 +1,14 @@
 //! Work of a step, exactly as LIGGGHTS's time integration does it.
 //!
-//! Forces act while velocities go from one half step to the next, so they work along the mean of the two. Of the later
-//! one a contact knows only what it does itself; for two bodies alone that is all, and the work is the change of
-//! their kinetic energy to the last digits.
+//! A force changes the velocity from one half step to the next, so its work is the force times the mean of the two velocities. Of the
+//! change a contact knows only its own part. For two bodies alone there is no other, and the work is the change of their kinetic
+//! energy to the last digits.
+use super::call::Call;
 use super::tally::Directions;
-use super::Call;
 use granlaw::law::{Body, Gap, Surface};
 use nalgebra::Vector3;
 
-/// Relative velocity and spins in the middle of the kick that the whole chain gives.
+/// Mean relative velocity and spins of the step: half of the change by the force of the whole chain is added.
 #[derive(Clone, Copy)]
 pub(super) struct Motion {
     v: Vector3<f64>,
@@ -27,7 +27,7 @@ impl Motion {
         Motion { v, omega: [turned(&g.i, call.torque_i, i), turned(&g.j, call.torque_j, j)] }
     }
 
-    /// Normal relative velocity over the one that the laws see; 1 where they see none.
+    /// Normal relative velocity over the one that the laws see; 1 if that is zero.
     pub fn faster(&self, s: &Surface) -> f64 {
         if s.vn == 0.0 {
             1.0
@@ -42,7 +42,7 @@ impl Motion {
         let [wi, wj] = &self.omega;
         let torque_j = call.on_j();
         let ft = call.force - s.en * normal;
-        // The lever of the tangential force belongs to it.
+        // The torque by the lever of the tangential force belongs to this force.
         let slip = ft.dot(&self.v) - s.en.cross(&ft).dot(&(wi * s.cri + wj * s.crj));
         let spin = |t: &Vector3<f64>, w: &Vector3<f64>| t.dot(&s.en) * w.dot(&s.en);
         let torsion = spin(&call.torque_i, wi) + spin(&torque_j, wj);
@@ -57,7 +57,7 @@ impl Motion {
     }
 }
 
-/// Who is held in place: a wall, or a partner of infinite mass.
+/// Whether i and j are held in place: a wall is, and a body of infinite mass.
 fn held(g: &Gap) -> [bool; 2] {
     [g.i.frozen, g.call.is_wall || g.j.frozen]
 }

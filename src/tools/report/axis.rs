@@ -3,7 +3,7 @@
 /// Numbers beyond this would overflow the arithmetic of an axis; they are treated as not finite.
 const HUGE: f64 = 1e150;
 
-/// Relative errors outside these powers of ten are drawn at the edge: beyond them lie denormals and blow-ups.
+/// Relative errors outside these powers of ten are drawn at the edge; nothing useful lies beyond.
 const DECADES: (i32, i32) = (-20, 20);
 
 /// The power of ten where a logarithmic axis begins at the latest.
@@ -26,7 +26,7 @@ const PREFIXES: [(i32, &str); 10] = [
 ];
 
 pub(super) struct Tick {
-    /// Where, as a fraction of the axis.
+    /// Its place, as a fraction of the axis.
     pub at: f64,
     pub text: String,
 }
@@ -60,7 +60,7 @@ impl Axis {
     pub(super) fn linear(values: impl Iterator<Item = f64>, quantity: &str, unit: &str, margin: f64) -> Axis {
         let (low, high) = range(values.filter(|v| drawable(*v))).unwrap_or((0.0, 1.0));
         let widest = low.abs().max(high.abs());
-        // All values equal, or equal but for round-off: an axis still needs a width.
+        // If all values are equal, or nearly so, the axis still needs a width.
         let (low, high) = match high - low > 1e-12 * widest {
             true => (low - margin * (high - low), high + margin * (high - low)),
             false if widest == 0.0 => (-1.0, 1.0),
@@ -80,17 +80,17 @@ impl Axis {
         axis
     }
 
-    /// A logarithmic axis of errors: as [`Axis::decades`], down to round-off at least.
+    /// A logarithmic axis of errors: as [`Axis::decades`], but at least down to round-off.
     pub(super) fn log(values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
         Axis::down_to(ROUND_OFF, values, quantity)
     }
 
-    /// A logarithmic axis over the sizes of the values, with a place of its own for exact zeros.
+    /// A logarithmic axis over the magnitudes of the values, with a separate place for exact zeros.
     pub(super) fn decades(values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
         Axis::down_to(f64::INFINITY, values, quantity)
     }
 
-    /// Whole decades that hold the sizes of the values and this power of ten.
+    /// An axis over whole decades that hold the magnitudes of the values and this power of ten.
     fn down_to(power: f64, values: impl Iterator<Item = f64>, quantity: &str) -> Axis {
         let sizes: Vec<f64> = values.filter(|v| drawable(*v)).map(f64::abs).collect();
         let positive = sizes.iter().copied().filter(|v| *v > 0.0).map(f64::log10);
@@ -110,7 +110,7 @@ impl Axis {
         let scale = Scale::Log { low: low.log10(), high: high.log10(), strip: 0.0 };
         let mut axis = Axis { label: label.into(), ticks: Vec::new(), scale };
         let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
-        // Over more than two decades the twos and fives would crowd.
+        // Over more than two decades ticks at 2 and 5 would be too close.
         let within: &[f64] = if last - first > 3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let all = (first..=last).flat_map(|p| within.iter().map(move |m| m * 10f64.powi(p)));
         axis.ticks = all
@@ -135,7 +135,7 @@ impl Axis {
         })
     }
 
-    /// Where the axis crosses zero, if that lies inside a linear axis.
+    /// The fraction at which zero lies, if it is inside a linear axis.
     pub(super) fn origin(&self) -> Option<f64> {
         match self.scale {
             Scale::Linear { low, high } if low < 0.0 && high > 0.0 => self.place(0.0),
@@ -151,7 +151,7 @@ fn range(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// The power of ten, a multiple of three, that leaves numbers up to `widest` readable, and the unit with its prefix.
+/// The power of ten, a multiple of three, that makes numbers up to `widest` readable, and the unit with that prefix.
 fn engineering(widest: f64, unit: &str) -> (i32, String) {
     if widest == 0.0 {
         return (0, unit.into());
@@ -168,7 +168,7 @@ fn linear_ticks(low: f64, high: f64, power: i32, axis: &Axis) -> Vec<Tick> {
     let step = round_step((high - low) / 5.0);
     let decimals = (f64::from(power) - step.log10() - 1e-9).ceil().max(0.0) as usize;
     let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
-    // A range far from zero may hold ticks that no double tells apart: their number is bounded here.
+    // Far from zero ticks may be closer than doubles can tell apart, so their number is limited.
     (0..=(last - first).clamp(0.0, 12.0) as i32)
         .filter_map(|k| {
             let value = (first + f64::from(k)) * step;

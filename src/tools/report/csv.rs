@@ -1,4 +1,4 @@
-//! `csv/<case>.csv`: every number behind the plots, none left out, in the shortest digits that read back the same.
+//! `csv/<case>.csv`: all numbers behind the plots, each in the shortest digits that read back as the same number.
 use super::{summary, Curve, Report, ReportError, Writer};
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Which plots a case gets.
+//! The plots of a case.
 use super::axis::Axis;
 use super::plot::{Plot, Series};
 use super::text::html as esc;
@@ -6,7 +6,7 @@ use super::{Case, Curve};
 
 type Column = fn(&Curve) -> &[f64];
 
-/// The figures of a case, one HTML element each; none where no history was kept.
+/// The figures of a case, one HTML element each; none if no history was kept.
 pub(super) fn figures(case: &Case) -> Vec<String> {
     if case.curves.is_empty() {
         return Vec::new();
@@ -44,7 +44,7 @@ fn lines<'a>(
 
 fn errors(case: &Case) -> Plot<'_> {
     let with: Vec<&Curve> = case.curves.iter().filter(|c| !c.error.is_empty()).collect();
-    // A limit of zero has no place on a logarithmic axis; the dots at zero say the same.
+    // A limit of zero cannot be drawn on a logarithmic axis; errors of zero have a place of their own there.
     let limit = |c: &&Curve| {
         let check = case.checks.iter().find(|check| check.name == c.answer)?;
         let limit = check.tolerance.as_ref()?.limit;

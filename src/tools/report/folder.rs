@@ -1,5 +1,5 @@
-//! The report folder: written beside its final place, then put there whole.
-use super::{csv::Csv, html::Html, json, json::Json, junit::Junit, markdown::Markdown, Report};
+//! The report folder: written in a temporary folder beside its final place, then moved there.
+use super::Report;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -10,21 +10,13 @@ pub trait Writer {
     fn write(&self, report: &Report, dir: &Path) -> Result<(), ReportError>;
 }
 
-const WRITERS: [&dyn Writer; 5] = [&Html, &Markdown, &Json, &Junit, &Csv];
-
-/// A kind of folder: what its writers leave in it, where anything else belongs to someone else, and how its
-/// `report.json` begins.
+/// A kind of folder: the names that its writers leave in it, and how its `report.json` begins. A folder with any other name in it is
+/// not one of ours.
 pub(super) struct Kind {
     pub ours: &'static [&'static str],
     pub format: &'static str,
     pub what: &'static str,
 }
-
-const REPORT: Kind = Kind {
-    ours: &["index.html", "report.md", "report.json", "junit.xml", "csv"],
-    format: json::FORMAT,
-    what: "report",
-};
 
 /// Why a report was not written.
 #[derive(Debug, thiserror::Error)]
@@ -58,14 +50,7 @@ impl ReportError {
     }
 }
 
-/// Writes all formats into the folder `dir`, which appears only when everything in it is complete.
-///
-/// An earlier report of ours is replaced; any other folder that is not empty is refused and left as it is.
-pub fn write_all(report: &Report, dir: &Path) -> Result<(), ReportError> {
-    place(dir, &REPORT, |fresh| WRITERS.iter().try_for_each(|w| w.write(report, fresh)))
-}
-
-/// Lets `write` fill a fresh folder and puts that in the place of `dir`.
+/// Lets `write` fill a new folder, and moves that to `dir`.
 pub(super) fn place(
     dir: &Path,
     kind: &Kind,
@@ -78,7 +63,7 @@ pub(super) fn place(
         return Err(kind.taken(dir, "has no name of its own".into()));
     };
     fs::create_dir_all(parent).map_err(io)?;
-    // A sibling, so that the last step is a rename within one file system; it goes away when dropped.
+    // It is beside `dir`, so that the last step is a rename within one file system; it is removed when dropped.
     let temporary = tempfile::Builder::new().prefix(".granlaw-report-").tempdir_in(parent).map_err(io)?;
     let fresh = temporary.path().join("new");
     fs::create_dir(&fresh).map_err(io)?;
@@ -92,7 +77,7 @@ pub(super) fn place(
     }
     fs::rename(&fresh, &target).map_err(|e| {
         if replaced {
-            // Best effort: the first error is the one to tell.
+            // If this fails too, the first error is still the one to report.
             let _ = fs::rename(&old, &target);
         }
         io(e)
@@ -102,11 +87,6 @@ pub(super) fn place(
 /// Writes one file.
 pub(super) fn save(path: &Path, content: &str) -> Result<(), ReportError> {
     fs::write(path, content).map_err(|e| ReportError::io(path, e))
-}
-
-/// Says early, before hours of runs, whether [`write_all`] would refuse this folder.
-pub fn check_target(dir: &Path) -> Result<(), ReportError> {
-    REPORT.check(dir)
 }
 
 impl Kind {

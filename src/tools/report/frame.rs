@@ -13,12 +13,12 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Where a fraction of the horizontal axis lies.
+    /// The place of a fraction of the horizontal axis.
     pub(super) fn across(&self, fraction: f64) -> f64 {
         self.left + fraction * (self.width - self.right - self.left)
     }
 
-    /// Where a fraction of the vertical axis lies.
+    /// The place of a fraction of the vertical axis.
     pub(super) fn up(&self, fraction: f64) -> f64 {
         self.height - self.bottom - fraction * (self.height - self.bottom - self.top)
     }

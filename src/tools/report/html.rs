@@ -46,7 +46,7 @@ fn compared(report: &Report) -> String {
     about(&report.about, "What was compared", &meanings)
 }
 
-/// The programs behind a document, with `more` beside them.
+/// The programs that made a document, followed by `more`.
 pub(super) fn about(a: &About, title: &str, more: &str) -> String {
     let or = |found: &Option<String>| found.clone().unwrap_or_else(|| "not found".into());
     let facts = [
@@ -91,7 +91,7 @@ fn overview(rows: &str) -> String {
 
 fn row(case: &Case, id: &str) -> String {
     let verdict = case.verdict();
-    // Sorting by rank puts what needs attention on top.
+    // Sorted by rank, what needs attention comes first.
     let rank = match verdict {
         Outcome::CouldNotRun(_) => 0,
         Outcome::Disagreed(_) => 1,
@@ -169,12 +169,12 @@ fn check(check: &Check) -> String {
         ("error", check.worst.as_ref().map(error).unwrap_or_default()),
         ("limit", check.tolerance.as_ref().map(limit).unwrap_or_default()),
     ];
-    // The inner element keeps a cell together where narrow screens set its label beside it.
+    // On narrow screens the label stands beside the cell; the inner element keeps the cell together.
     let cell = |(name, text): &(&str, String)| format!("<td data-label=\"{name}\"><div>{text}</div></td>");
     format!("<tr>{}</tr>\n", cells.iter().map(cell).collect::<String>())
 }
 
-/// Where the worst is, if there is none.
+/// What stands in place of the worst difference if there is none.
 fn nowhere(check: &Check) -> String {
     if check.outcome == Outcome::Agreed { "nowhere<br><small>every bit is equal</small>" } else { "" }.into()
 }
@@ -231,7 +231,7 @@ fn parameter(p: &Parameter) -> String {
     )
 }
 
-/// A single number as it is, a row with its types above, a square with its types above and beside it.
+/// A single number, a row with atom types above it, or a square with atom types above and beside it.
 fn matrix(p: &Parameter) -> String {
     let n = p.values.len();
     let side = (1..=n).find(|k| k * k >= n).unwrap_or(0);

@@ -1,8 +1,6 @@
 //! `report.json`: the typed report with its verdicts, for programs. The types say what each field means.
-//!
-//! JSON has no infinities: numbers that are not finite are written as the strings `NaN`, `inf` and `-inf`.
-use super::{folder, summary, text, About, Case, Counts, Outcome, Report, ReportError, Writer};
-use serde::{Serialize, Serializer};
+use super::{folder, summary, About, Case, Counts, Outcome, Report, ReportError, Writer};
+use serde::Serialize;
 use std::path::Path;
 
 /// The first field of the file; it also tells our report folders from others.
@@ -44,29 +42,4 @@ impl Writer for Json {
         json.push('\n');
         folder::save(&dir.join("report.json"), &json)
     }
-}
-
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Number {
-    Finite(f64),
-    Not(String),
-}
-
-impl From<f64> for Number {
-    fn from(value: f64) -> Self {
-        if value.is_finite() {
-            Number::Finite(value)
-        } else {
-            Number::Not(text::exact(value))
-        }
-    }
-}
-
-pub(super) fn number<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
-    Number::from(*value).serialize(to)
-}
-
-pub(super) fn numbers<S: Serializer>(values: &[f64], to: S) -> Result<S::Ok, S::Error> {
-    to.collect_seq(values.iter().map(|&value| Number::from(value)))
 }

@@ -27,7 +27,7 @@ fn suite(case: &Case, id: &str) -> TestSuite {
     }
     suite.add_test_cases(case.checks.iter().map(|check| test(check, id)));
     let judged = |c: &Check| !matches!(c.outcome, Outcome::Skipped(_));
-    // A case in which nothing was compared is no pass: servers would count an empty suite as one.
+    // If nothing was compared, the case has not passed; servers would count an empty suite as passed.
     if !case.checks.iter().any(judged) {
         let verdict = case.verdict();
         suite.add_test_case(named("verdict", id, status(&verdict, verdict.why().unwrap_or_default().into())));
@@ -61,7 +61,7 @@ fn status(outcome: &Outcome, details: String) -> TestCaseStatus {
     status
 }
 
-/// The lines under the message: where, what, how far, and the limit with its reason.
+/// The lines under the message: where and what differs, by how much, and the limit with its reason.
 fn details(check: &Check) -> String {
     let mut lines = vec![format!("{}: {}", check.shows.word(), check.shows.meaning())];
     if let Some(w) = &check.worst {

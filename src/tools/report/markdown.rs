@@ -5,7 +5,7 @@ use std::path::Path;
 
 pub(super) struct Markdown;
 
-/// As many lines of a log as fit a summary; the end is where LIGGGHTS says what went wrong.
+/// This many lines of a log are shown, from its end, where LIGGGHTS says what went wrong.
 const LOG_LINES: usize = 30;
 
 impl Writer for Markdown {

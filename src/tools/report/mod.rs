@@ -1,4 +1,4 @@
-//! One typed [`Report`]; every format is written from it by one writer, and nothing here knows physics.
+//! One typed [`Report`], and one writer for each format. Nothing here depends on physics.
 //!
 //! [`write_all`] makes the folder: `index.html` for people, `report.md` for pull requests, `report.json` and
 //! `junit.xml` for programs, `csv/<case>.csv` with the numbers behind the plots.
@@ -11,20 +11,23 @@ mod html;
 mod json;
 mod junit;
 mod markdown;
+mod numbers;
 pub mod page;
 mod plot;
 mod summary;
 mod text;
+mod write;
 
 pub(crate) use text::rough;
 
-pub use folder::{check_target, write_all, ReportError, Writer};
+pub use folder::{ReportError, Writer};
 use serde::Serialize;
+pub use write::{check_target, write_all};
 
 /// What `granlaw verify` found, case by case.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Report {
-    /// What was compared with what, and where.
+    /// The programs that were compared, and the machine.
     pub about: About,
     /// One entry per deck, in the order given.
     pub cases: Vec<Case>,
@@ -35,9 +38,9 @@ pub struct Report {
 pub struct About {
     /// Version of granlaw.
     pub granlaw: String,
-    /// What LIGGGHTS calls itself; `None` where it was not found.
+    /// The version of LIGGGHTS, in its own words; `None` if it was not found.
     pub liggghts: Option<String>,
-    /// The plugin that was preloaded; `None` where there was none.
+    /// The plugin that was preloaded; `None` if there was none.
     pub plugin: Option<String>,
     /// Operating system, architecture and number of cores.
     pub machine: String,
@@ -52,7 +55,7 @@ pub struct About {
 pub struct Case {
     /// File name of the deck without its extension; the writers add `-2`, `-3` … where two decks share it.
     pub name: String,
-    /// One line for people.
+    /// Its title, one line.
     pub title: String,
     /// Path of the deck as given.
     pub deck: String,
@@ -68,9 +71,9 @@ pub struct Case {
     /// Contact calls that were compared.
     pub calls: u64,
     /// Wall-clock time of the case \[s\].
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub seconds: f64,
-    /// What LIGGGHTS said, kept when a run failed.
+    /// The output of LIGGGHTS, kept if a run failed.
     pub log: Option<String>,
 }
 
@@ -86,7 +89,7 @@ pub struct Parameter {
     /// `scalar`, `per type` or `per type pair`.
     pub shape: String,
     /// The values, row by row.
-    #[serde(serialize_with = "json::numbers")]
+    #[serde(serialize_with = "numbers::numbers")]
     pub values: Vec<f64>,
 }
 
@@ -137,7 +140,7 @@ pub enum Outcome {
 #[derive(Clone, Debug, Serialize)]
 pub struct Tolerance {
     /// The limit; 0 means identical to the last bit.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub limit: f64,
     /// Why this limit and no other.
     pub reason: String,
@@ -151,13 +154,13 @@ pub struct Worst {
     /// What was compared there, for instance `f_i.x of 1-2`.
     pub what: String,
     /// The answer on trial.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub got: f64,
-    /// The answer it is held against.
-    #[serde(serialize_with = "json::number")]
+    /// The reference answer.
+    #[serde(serialize_with = "numbers::number")]
     pub expected: f64,
     /// The error in the norm of the check.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub error: f64,
     /// The norm, for instance `relative to the peak force`.
     pub norm: String,
@@ -204,7 +207,7 @@ impl Case {
 }
 
 impl Report {
-    /// How many checks ended how.
+    /// Counts the checks by outcome.
     pub fn counts(&self) -> Counts {
         let mut n = Counts::default();
         for check in self.cases.iter().flat_map(|c| &c.checks) {

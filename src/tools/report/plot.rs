@@ -6,11 +6,11 @@ use super::text::html as esc;
 use std::collections::BTreeSet;
 
 const FRAME: Frame = Frame { width: 480.0, height: 280.0, left: 60.0, right: 14.0, top: 28.0, bottom: 44.0 };
-/// Points are given in whole tenths of a unit: short text, finer than any screen.
+/// Points are rounded to tenths of a unit: that keeps the text short and is finer than any screen.
 const FINE: f64 = 10.0;
 /// Curves above this many points are thinned.
 const MANY: usize = 1500;
-/// Stretches of a thinned curve, about one to every other unit of the plot's width.
+/// Number of sections of a thinned curve, about one for every two units of the plot's width.
 const STRETCHES: usize = 250;
 
 /// One answer in a plot.
@@ -27,14 +27,14 @@ pub(super) struct Plot<'a> {
     pub series: Vec<Series<'a>>,
     /// Dots instead of lines, for values that jump.
     pub dots: bool,
-    /// Horizontal lines with the name of the answer whose limit they are.
+    /// Limits, drawn as horizontal lines, each with the name of its answer.
     pub limits: Vec<(&'a str, f64)>,
 }
 
 type Spot = Option<(i32, i32)>;
 
 impl Plot<'_> {
-    /// The plot as an SVG element, or a sentence where there is nothing to draw.
+    /// The plot as an SVG element, or a sentence if there is nothing to draw.
     pub(super) fn svg(&self) -> String {
         let drawn: Vec<Vec<Spot>> = self.series.iter().map(|s| self.spots(s)).collect();
         if !drawn.iter().flatten().any(Option::is_some) {
@@ -54,7 +54,7 @@ impl Plot<'_> {
         )
     }
 
-    /// How many points of which answer could not be drawn; empty when all could.
+    /// A sentence on the points that could not be drawn; empty if all could.
     pub(super) fn missing(&self) -> String {
         let lost = |s: &Series| s.points.iter().filter(|p| self.spot(p).is_none()).count();
         let counted = self.series.iter().map(|s| (s.answer, lost(s))).filter(|(_, n)| *n > 0);
@@ -86,7 +86,7 @@ impl Plot<'_> {
             let (y, class) = (FRAME.up(self.y.place(*limit)?), class(answer));
             let line = format!("<path class=\"limit {class}\" d=\"M{left} {y:.1}H{right}\"/>");
             let text = format!("limit of {}", esc(answer));
-            // Above its line, where errors of zero do not lie; below it only at the upper edge.
+            // The name stands above its line, or below it at the upper edge.
             let at = if y - 14.0 < FRAME.top { y + 12.0 } else { y - 4.0 };
             Some(format!("{line}<text class=\"note\" x=\"{}\" y=\"{at:.1}\">{text}</text>", right - 4.0))
         };
@@ -105,14 +105,14 @@ impl Plot<'_> {
             };
             out += &format!("<g transform=\"scale({})\">{sample}</g>", 1.0 / FINE);
             out += &format!("<text x=\"{}\" y=\"17\">{}</text>", x + 29.0, esc(series.answer));
-            // No font is measured here; 6.4 units a letter is generous for this size.
+            // The width of the text is not known here; 6.4 units for each letter is enough at this size.
             x += 29.0 + 6.4 * series.answer.chars().count() as f64 + 14.0;
         }
         out
     }
 }
 
-/// The style of an answer. Stock lies widest and palest below, so that lines on top of it stay visible.
+/// The style of an answer. Stock is drawn first, wide and pale, so that lines on top of it stay visible.
 fn class(answer: &str) -> &'static str {
     match answer {
         "stock" => "stock",
@@ -123,8 +123,8 @@ fn class(answer: &str) -> &'static str {
     }
 }
 
-/// Leaves out points of long curves but keeps, in every stretch, the ends and the extremes of both coordinates, so
-/// that no peak gets lost.
+/// Thins long curves. In every section the first and last point and the extremes of both coordinates are kept, so that no peak is
+/// lost.
 fn thin(spots: &[Spot]) -> Vec<Spot> {
     if spots.len() <= MANY {
         return spots.to_vec();
@@ -156,9 +156,9 @@ fn strokes(spots: &[Spot]) -> String {
     for spot in spots {
         match (last, spot) {
             (Some(before), Some(here)) if before == *here => continue,
-            // Relative steps are shorter to write than places.
+            // Relative coordinates are shorter.
             (Some((x0, y0)), Some((x, y))) => path += &format!("l{} {}", x - x0, y - y0),
-            // The empty step draws a dot where a point stands alone.
+            // A line of length zero draws a single point as a dot.
             (None, Some((x, y))) => path += &format!("M{x} {y}h0"),
             (_, None) => {}
         }
@@ -167,7 +167,7 @@ fn strokes(spots: &[Spot]) -> String {
     path
 }
 
-/// A dot at each point, once per place.
+/// A dot at each point; points at the same place are drawn once.
 fn dots(spots: &[Spot]) -> String {
     let places: BTreeSet<(i32, i32)> = spots.iter().flatten().copied().collect();
     places.into_iter().map(|(x, y)| format!("M{x} {y}h0")).collect()

@@ -1,9 +1,9 @@
-//! What several writers say about a report: words for outcomes, names for files, the closest call, what was skipped.
+//! What several writers need: words for outcomes, names for files, the check closest to its limit, what was skipped.
 use super::{text, Case, Check, Outcome, Report, Shows};
 use std::collections::HashSet;
 
 impl Outcome {
-    /// One or two words.
+    /// The outcome in one or two words.
     pub(super) fn word(&self) -> &'static str {
         match self {
             Outcome::Agreed => "agreed",
@@ -13,7 +13,7 @@ impl Outcome {
         }
     }
 
-    /// A sign that needs no colour.
+    /// A sign, so that colour is not needed.
     pub(super) fn sign(&self) -> &'static str {
         match self {
             Outcome::Agreed => "✓",
@@ -23,7 +23,7 @@ impl Outcome {
         }
     }
 
-    /// The reason, where the outcome has one.
+    /// The reason, if the outcome has one.
     pub(super) fn why(&self) -> Option<&str> {
         match self {
             Outcome::Agreed => None,
@@ -33,7 +33,7 @@ impl Outcome {
 }
 
 impl Shows {
-    /// All four, in the order in which one reads them.
+    /// All four, in the order in which they are explained.
     pub(super) const ALL: [Shows; 4] = [Shows::Port, Shows::Boundary, Shows::Integrator, Shows::Physics];
 
     /// The name as in `report.json`.
@@ -58,7 +58,7 @@ impl Shows {
 }
 
 impl Check {
-    /// Error as a share of the limit, infinite where no error is allowed but there is one; `None` without both.
+    /// The error over the limit, infinite if the limit is zero and the error is not; `None` if either is missing.
     pub(super) fn share(&self) -> Option<f64> {
         let (worst, limit) = (self.worst.as_ref()?, self.tolerance.as_ref()?.limit);
         let share = match worst.error.abs() {
@@ -70,14 +70,14 @@ impl Check {
 }
 
 impl Case {
-    /// The check whose error is the largest share of its limit.
+    /// The check with the largest error over its limit.
     pub(super) fn closest(&self) -> Option<&Check> {
         let shares = self.checks.iter().filter_map(|c| Some((c, c.share()?)));
         shares.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(check, _)| check)
     }
 }
 
-/// What stands in for the closest check of a case that has none.
+/// What is written in place of the closest check, if a case has none.
 pub(super) fn no_closest(verdict: &Outcome) -> &'static str {
     if *verdict == Outcome::Agreed {
         "every bit is equal"
@@ -120,14 +120,14 @@ pub(super) fn ids(report: &Report) -> Vec<String> {
         let numbered = (2..).map(|k| format!("{base}-{k}"));
         std::iter::once(base.clone())
             .chain(numbered)
-            // Some file systems do not tell capitals from small letters.
+            // Some file systems do not distinguish capitals from small letters.
             .find(|name| taken.insert(name.to_lowercase()))
             .expect("the numbers do not run out")
     };
     report.cases.iter().map(&mut id).collect()
 }
 
-/// A text that may name a file.
+/// Turns a text into one that may be the name of a file.
 pub(super) fn safe(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '_' };
     // File names may hold 255 bytes, extension and number included.
@@ -154,7 +154,7 @@ pub(super) fn skipped(report: &Report) -> Vec<(String, Vec<String>)> {
     groups
 }
 
-/// How many checks ended how, `4 agreed, 1 skipped`; outcomes that did not occur are left out.
+/// The counts in words, such as `4 agreed, 1 skipped`; outcomes that did not occur are left out.
 pub(super) fn tally<'a>(checks: impl Iterator<Item = &'a Check>) -> String {
     let mut found: Vec<(&str, usize)> =
         [("agreed", 0), ("disagreed", 0), ("could not run", 0), ("skipped", 0)].to_vec();

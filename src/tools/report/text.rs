@@ -1,4 +1,4 @@
-//! How words and numbers become text. Escaping happens here and nowhere else.
+//! Numbers as text, and escaping, which is done nowhere else.
 
 /// Text that is safe between tags and inside quoted attributes of HTML and SVG.
 pub(super) fn html(raw: &str) -> String {
@@ -11,7 +11,7 @@ pub(super) fn html(raw: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
             '\n' | '\t' => out.push(c),
-            // Terminal colours in a log are not characters of a page.
+            // Control characters, such as terminal colours in a log, are not allowed in a page.
             _ if c.is_control() => out.push('\u{fffd}'),
             _ => out.push(c),
         }
@@ -37,7 +37,7 @@ pub(super) fn markdown(raw: &str) -> String {
 
 /// All digits of a number, the shortest that read back as the same number.
 pub(super) fn exact(value: f64) -> String {
-    // From a million on, zeros are easier to count in the exponent.
+    // From a million on, an exponent is easier to read than zeros.
     let text = if value.abs() >= 1e6 { format!("{value:e}") } else { format!("{value:?}") };
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
@@ -56,7 +56,7 @@ pub(crate) fn rough(value: f64) -> String {
     }
 }
 
-/// A number to three digits as people write it, with an exponent only where there is no other way.
+/// A number to three digits, with an exponent only for very large and very small ones.
 pub(super) fn plain(value: f64) -> String {
     let size = value.abs();
     if !(1e-2..1e5).contains(&size) {
@@ -93,7 +93,7 @@ pub(super) fn plural(n: usize, noun: &str) -> String {
     format!("{n} {noun}{}", if n == 1 { "" } else { "s" })
 }
 
-/// Splits two texts after what they have in common at the start, so that the digits that differ can be shown.
+/// Splits two texts after their common beginning, so that the digits that differ can be marked.
 pub(super) fn differ<'a>(a: &'a str, b: &'a str) -> ((&'a str, &'a str), (&'a str, &'a str)) {
     let same = a.bytes().zip(b.bytes()).take_while(|(x, y)| x == y).count();
     // Numbers are ASCII, but a cut inside a character must not panic whatever is passed.

@@ -4,7 +4,7 @@ use granlaw::chain::Chain;
 use granlaw::law::Stage;
 use nalgebra::Vector3;
 
-/// What the Rust laws make of a call.
+/// The answer of the Rust laws to a call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answer {
     /// Force on i \[N\].
@@ -20,7 +20,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// That of a chain, one contact at a time; `share` is the share of a wall contact that counts, 1 for a pair.
+    /// The answer of a chain, one contact at a time; `share` is the part of a wall contact that counts, 1 for a pair.
     pub(super) fn of(&mut self, chain: &mut Chain, row: &Row, share: f64) {
         let mut s = Stage::default();
         self.history.clone_from(&row.before);
@@ -30,7 +30,7 @@ impl Answer {
             chain.apart(row.types, &row.gap, &mut self.history, &mut s);
         }
         (self.force_i, self.torque_i) = (s.force * share, s.torque_i * share);
-        // LIGGGHTS hands a wall no force.
+        // LIGGGHTS applies no force to a wall.
         self.force_j = if row.gap.call.is_wall { Vector3::zeros() } else { -s.force };
         self.torque_j = s.torque_j;
     }
@@ -48,10 +48,10 @@ pub(super) struct Pair {
     pub error: f64,
 }
 
-/// Compares call after call of a chain.
+/// Compares the calls of a chain, one after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Measure {
-    /// The largest that every slot of history has held.
+    /// The largest value of each history slot so far.
     peaks: Vec<f64>,
 }
 
@@ -80,7 +80,7 @@ impl Measure {
     }
 }
 
-/// Whether all numbers are finite and equal; zeros of either sign are.
+/// Whether all numbers are finite and equal; zeros of either sign count as equal.
 fn same(row: &Row, rust: &Answer) -> bool {
     let equal = |a: &f64, b: &f64| a == b && a.is_finite();
     let vectors = [
@@ -93,7 +93,7 @@ fn same(row: &Row, rust: &Answer) -> bool {
         && vectors.into_iter().all(|(a, b)| (0..3).all(|k| equal(&a[k], &b[k])))
 }
 
-/// The size of the forces that the laws add up in a call \[N\], whatever their sum.
+/// The size of the forces that the laws add up in a call \[N\]; their sum may be smaller.
 fn scale(row: &Row) -> f64 {
     let (h, s) = (&row.handed, &row.surface);
     let parts = [row.force_i.norm(), (h.kn * s.deltan).abs(), (h.gamman * s.vn).abs()];
@@ -109,11 +109,11 @@ fn vectors<'a>(of: [(&'a Vector3<f64>, &'a Vector3<f64>); 2], scale: f64) -> imp
 
 fn pair((at, of): (usize, usize), rust: f64, stock: f64, scale: f64) -> Pair {
     let error = match () {
-        // Not even two that are not finite in the same way: there is no right answer of that kind.
+        // Two equal answers that are not finite differ too, as neither is right.
         _ if !rust.is_finite() || !stock.is_finite() => f64::INFINITY,
         _ if rust == stock => 0.0,
         _ if !scale.is_finite() => f64::INFINITY,
-        // However small, a difference is one.
+        // A difference is never zero, even where the division underflows.
         _ => ((rust - stock).abs() / scale).max(f64::MIN_POSITIVE),
     };
     Pair { at, of, rust, stock, error }

@@ -1,9 +1,8 @@
 //! A shadow: LIGGGHTS's laws and the Rust ones on the same inputs, in every contact call of a whole run.
 //!
-//! The run goes its way on LIGGGHTS's laws. The plugin hands every call with LIGGGHTS's answer to a [`Session`], which
-//! works out the Rust answer from the same inputs and the same history and compares. Each call stands alone, so that errors
-//! cannot add up, and nothing is kept but counts and the worst differences, however long the run. The ranks' parts
-//! are merged into one [`Shadow`].
+//! The run itself uses LIGGGHTS's laws. The plugin hands every call with LIGGGHTS's answer to a [`Session`], which computes the Rust
+//! answer from the same inputs and the same history and compares. Each call is independent, so errors do not add up. Only counts
+//! and the worst differences are kept, however long the run. The parts of all ranks are merged into one [`Shadow`].
 //!
 //! Differences are relative to what the laws add up in that very call, not to a peak of the run, so that a violent
 //! contact does not hide an error in a gentle one; and not to the sum alone, which may come to nothing:
@@ -22,7 +21,7 @@ pub use session::Session;
 
 use serde::{Deserialize, Serialize};
 
-/// What a run's shadow found.
+/// The result of a shadowed run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Shadow {
     /// MPI ranks of the run.
@@ -31,28 +30,28 @@ pub struct Shadow {
     pub chains: Vec<Compared>,
 }
 
-/// What was found of one chain.
+/// The result for one chain.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Compared {
     /// `pair`, or `wall <fix id>`.
     pub who: String,
     /// The laws, for instance `normal hooke/hysteresis, tangential history`.
     pub laws: String,
-    /// How the Rust laws went through contacts side by side; empty where they did not.
+    /// How the batched pass went through contacts, such as its width; empty if it was not used.
     pub way: String,
-    /// Calls compared so; the others were, one after the other.
+    /// Number of calls compared through the batched pass; the others were compared one by one.
     pub batched: u64,
-    /// Why nothing is compared; `None` where it is.
+    /// Why the chain is not compared; `None` if it is.
     pub left_out: Option<String>,
-    /// Calls seen.
+    /// Number of calls seen.
     pub calls: u64,
-    /// Those of them in which a number differs or is not finite.
+    /// Number of calls in which a number differs or is not finite.
     pub differing: u64,
     /// The worst force, torque and number of history; `None` while all are equal to the last bit.
     pub worst: [Option<Worst>; 3],
 }
 
-/// What the [`Compared::worst`] are of.
+/// The quantities of [`Compared::worst`].
 pub const MEASURES: [&str; 3] = ["force", "torque", "history"];
 
 /// A difference between the two answers to a call.
@@ -73,16 +72,16 @@ pub struct Worst {
     /// LIGGGHTS's answer.
     #[serde(with = "exact")]
     pub stock: f64,
-    /// What went into the call, by the columns of a trace.
+    /// The inputs of the call, by the columns of a trace.
     pub inputs: Vec<(String, String)>,
 }
 
-/// How a shadow is judged.
+/// The verdict of a shadowed run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// No difference is above the tolerance.
     Agreed,
-    /// One is.
+    /// At least one difference is above the tolerance.
     Differs,
     /// No call was compared.
     Nothing,
@@ -110,12 +109,12 @@ impl Shadow {
         }
     }
 
-    /// Calls compared.
+    /// Number of calls compared.
     pub fn calls(&self) -> u64 {
         self.chains.iter().filter(|c| c.left_out.is_none()).map(|c| c.calls).sum()
     }
 
-    /// Calls of chains that cannot be compared.
+    /// Number of calls of chains that cannot be compared.
     pub fn left_out(&self) -> u64 {
         self.chains.iter().filter(|c| c.left_out.is_some()).map(|c| c.calls).sum()
     }
@@ -126,7 +125,7 @@ impl Shadow {
         all.map(|w| w.error).fold(0.0, f64::max)
     }
 
-    /// Held against the largest difference allowed.
+    /// The verdict, with the largest difference that is allowed.
     pub fn verdict(&self, tolerance: f64) -> Verdict {
         match self.calls() {
             _ if self.error() > tolerance => Verdict::Differs,
@@ -154,7 +153,7 @@ impl Compared {
     }
 }
 
-/// JSON has no infinities.
+/// Writes infinities as text, as JSON has none.
 mod exact {
     use serde::{de::Error, Deserialize, Deserializer, Serializer};
 

@@ -23,7 +23,7 @@ struct Watched {
 }
 
 impl Session {
-    /// The place of a chain with its coefficients as they are from now on.
+    /// The index of a chain, with its coefficients as they are from now on.
     pub fn chain(&mut self, header: Header) -> usize {
         self.ranks = header.ranks;
         let (chain, left_out) = match rust(&header) {
@@ -47,7 +47,7 @@ impl Session {
         at
     }
 
-    /// A call with LIGGGHTS's answer; `share` is the share of a wall contact that counts, 1 for a pair.
+    /// Compares a call with LIGGGHTS's answer; `share` is the part of a wall contact that counts, 1 for a pair.
     ///
     /// # Panics
     /// If `at` is no place that [`Session::chain`] gave.
@@ -66,12 +66,12 @@ impl Session {
         self.chains[at].chain.is_some()
     }
 
-    /// From now on calls of a chain may be [`answered`](Session::answered) by many at a time, and this is how.
+    /// From now on calls of a chain may be [`answered`](Session::answered) through the batched pass; `way` names it.
     pub fn side_by_side(&mut self, at: usize, way: &str) {
         self.chains[at].found.way = way.to_string();
     }
 
-    /// A call with LIGGGHTS's answer and that of the Rust laws, which was worked out elsewhere.
+    /// Compares a call with LIGGGHTS's answer; that of the Rust laws was computed elsewhere.
     pub fn answered(&mut self, at: usize, row: &Row, rust: &Answer) {
         let w = &mut self.chains[at];
         w.found.calls += 1;
@@ -102,7 +102,7 @@ impl Watched {
     }
 }
 
-/// The laws of the other side.
+/// The Rust laws to compare with.
 ///
 /// # Errors
 /// Why there is none, in words.
@@ -111,7 +111,7 @@ fn rust(header: &Header) -> Result<Vec<Setup>, String> {
     if !lacking.is_empty() {
         return Err(format!("granlaw has no {}", lacking.join(", ")));
     }
-    // In a shadowed run LIGGGHTS's own laws stand under their names, and ours where the deck itself asks for them.
+    // In a shadowed run stock names are LIGGGHTS's own laws, and Rust laws run only where the deck itself names them.
     if let Some(ours) = header.laws.iter().find(|l| !l.taken_over) {
         let twin =
             ours.kind().and_then(|k| find(k, &ours.keyword)).is_some_and(|e| e.liggghts.stock_id.is_some());
@@ -140,7 +140,7 @@ fn worst(header: &Header, row: &Row, measure: usize, p: &Pair) -> Worst {
     Worst { error: p.error, step, tags, what, rust: p.rust, stock: p.stock, inputs: inputs(header, row) }
 }
 
-/// What went in, as a trace has it: all columns but those of the answer.
+/// The inputs of a call, by the columns of a trace: all but those of the answer.
 fn inputs(header: &Header, row: &Row) -> Vec<(String, String)> {
     let mut trace = Vec::new();
     let written = Writer::new(&mut trace, "inputs", header).and_then(|mut w| {

@@ -1,10 +1,10 @@
-//! The words in which a shadow is told.
+//! The result of a shadowed run, in words.
 use super::{Compared, Shadow, Verdict, Worst, MEASURES};
 use crate::report::rough;
 use std::fmt::Write;
 
 impl Shadow {
-    /// For people, with the verdict against the largest difference allowed.
+    /// The result as text, with the verdict.
     pub fn text(&self, tolerance: f64) -> String {
         let mut t = String::new();
         let ranks = if self.ranks == 1 { "1 rank".into() } else { format!("{} ranks", self.ranks) };

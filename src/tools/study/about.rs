@@ -1,9 +1,9 @@
-//! What stands behind a study's document.
+//! The programs behind a study's document.
 use super::live::Bench;
 use crate::liggghts::RunError;
 use crate::report::{About, Check, Outcome, Shows};
 
-/// Programs and machine; without LIGGGHTS, why.
+/// Programs and machine; if LIGGGHTS was not used, the reason.
 pub fn about(command: &str, bench: Result<&Bench, &RunError>) -> About {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let (os, arch) = (std::env::consts::OS, std::env::consts::ARCH);
@@ -20,7 +20,7 @@ pub fn about(command: &str, bench: Result<&Bench, &RunError>) -> About {
     about
 }
 
-/// Whether LIGGGHTS did all that it was asked to do; skipped if it was not there.
+/// A check that LIGGGHTS did all that it was asked to do; skipped if it was not there.
 pub fn ran(bench: Result<&Bench, &RunError>, trouble: &[String]) -> Check {
     let outcome = match (bench, trouble) {
         (Err(e), _) => Outcome::Skipped(format!("nothing was run in LIGGGHTS: {e}")),

@@ -1,9 +1,9 @@
-//! Adaptive extrapolation: the converged answer that the other methods are held against.
+//! Adaptive extrapolation: the converged solution with which the other methods are compared.
 //!
-//! A step is done in one, two, … six parts; a combination of the six answers cancels the errors of order two to six. The
-//! difference from what five of them give is the estimated error, which decides on the step; a hundredth of what four
-//! of them differ by counts too, as at a kink the first two may agree by chance. Turning point and last
-//! touch are met exactly; at other kinks the error estimate shortens the step until they do no harm.
+//! Each step is computed in one, two, … six parts, and a combination of the six answers cancels the errors of order two to six. The
+//! estimated error is the difference from the combination of five of them, or a hundredth of that from the combination of four if that is
+//! larger, as at a kink the first two may agree by chance. It decides on the length of the step. Steps end exactly at the turning
+//! point and at last touch; at other kinks the estimate shortens the step until they do no harm.
 use super::motion::{Instant, Motion};
 use super::shot::{Outcome, Shot};
 use granlaw::chain::Chain;
@@ -12,23 +12,23 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 /// Levels of extrapolation.
 const LEVELS: usize = 6;
-/// Law evaluations after which a contact counts as one that does not end: some ten times what the finest takes.
+/// After this many evaluations of the laws a contact counts as one that does not end; the finest takes about a tenth of that.
 const MOST: u64 = 5_000_000;
 
-/// What to reach.
+/// The accuracy to reach.
 #[derive(Clone, Copy, Debug)]
 pub struct Aim {
     /// Error per step, relative to speed, depth and spin of the contact.
     pub tolerance: f64,
     /// About how long the contact lasts \[s\].
     pub duration: f64,
-    /// Longest step over that.
+    /// Longest step, over `duration`.
     pub longest: f64,
     /// Whether forces are kept.
     pub with_force: bool,
 }
 
-/// The contact, and the number of law evaluations.
+/// Integrates the contact. Returns the outcome and the number of evaluations of the laws.
 pub fn impact(chain: &mut Chain, shot: &Shot, aim: &Aim) -> (Outcome, u64) {
     let start = shot.start(aim.duration, 0.0, 0);
     let mut solver = Solver::new(Motion::new(chain, &start, shot), shot, aim);
@@ -40,7 +40,7 @@ struct Solver<'a> {
     motion: Motion<'a>,
     shot: &'a Shot,
     aim: &'a Aim,
-    /// Weights of the answers in 1, 2, … parts, of all levels, one less and two less.
+    /// Weights of the answers in 1, 2, … parts: for all levels, for one less and for two less.
     weights: [DVector<f64>; 3],
 }
 
@@ -107,7 +107,7 @@ impl<'a> Solver<'a> {
         (end, error)
     }
 
-    /// Lengths, velocities and spins by place in [`flat`]; what acts is not counted.
+    /// The scale of each number of [`flat`]: a length, a velocity or a spin. Forces do not count.
     fn scales(&self) -> impl Fn(usize) -> f64 + 'static {
         let speed = self.shot.speed.hypot(self.shot.slide);
         let (depth, radius) = (speed * self.aim.duration, self.shot.radius);
@@ -122,13 +122,13 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The instant within a step `h` at which `sign` passes from above to below zero, as soon as it has.
+    /// The first instant within a step `h` at which `sign` is below zero after it was above.
     fn meet(&mut self, from: &Instant, h: f64, sign: impl Fn(&Solver<'_>, &Instant) -> f64) -> Instant {
         let (mut low, mut high) = (0.0, h);
         let mut beyond = None;
         let (mut f_low, mut f_high) = (sign(self, from), f64::NAN);
         for round in 0..80 {
-            // False position, with a halving every third round so that neither end gets stuck.
+            // The method of false position, with a bisection in every third round so that neither end gets stuck.
             let part = if f_high.is_nan() || round % 3 == 2 { 0.5 } else { f_low / (f_low - f_high) };
             let middle = low + (high - low) * part.clamp(1e-3, 1.0 - 1e-3);
             let (at, _) = self.step(from, middle);
@@ -146,7 +146,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// Weights of the answers in 1, 2, … `n` parts that cancel the powers 2 to n of the part.
+/// Weights of the answers in 1, 2, … `n` parts that cancel the powers 2 to n of the length of a part.
 fn weights(n: usize) -> DVector<f64> {
     let power = |row: usize| if row == 0 { 0 } else { row as i32 + 1 };
     let matrix = DMatrix::from_fn(n, n, |row, k| (1.0 / (k + 1) as f64).powi(power(row)));
@@ -154,7 +154,7 @@ fn weights(n: usize) -> DVector<f64> {
     matrix.lu().solve(&one).expect("different parts")
 }
 
-/// All numbers of an instant: what acts, the bodies, the history.
+/// All numbers of an instant: forces, bodies, history.
 fn flat(at: &Instant) -> Vec<f64> {
     let three = |v: Vector3<f64>| [v.x, v.y, v.z];
     let acts = [at.stage.force, at.stage.torque_i, at.stage.torque_j];

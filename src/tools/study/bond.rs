@@ -1,8 +1,8 @@
-//! Bonds by a few numbers: the laws and properties of a deck with them.
+//! Bonds described by a few numbers, and the laws and properties of a deck that has them.
 use super::matter::Matter;
 use granlaw::law::Kind;
 
-/// What bonds are like.
+/// The properties of bonds.
 #[derive(Clone, Copy, Debug)]
 pub struct Bond<'a> {
     /// Radius of the spheres \[m\], and the gap between them when they begin \[m\].
@@ -11,19 +11,19 @@ pub struct Bond<'a> {
     pub gap: f64,
     /// Stiffness of first loading per area, in the order of [`MODES`].
     pub k: [f64; 5],
-    /// Stiffness of unloading, and of the line through zero, over it.
+    /// Stiffness of unloading, and of the line through zero, over that of first loading.
     pub over: [f64; 2],
     /// Damping ratio of all modes.
     pub eta: f64,
-    /// The modes that there are, of [`MODES`].
+    /// The modes that are switched on, of [`MODES`].
     pub modes: &'a [&'static str],
 }
 
-/// The settings that switch modes.
+/// The settings that switch modes on.
 pub const MODES: [&str; 5] =
     ["compressionStress", "tensionStress", "shearStress", "normalTorqueStress", "shearTorqueStress"];
 
-/// Loading, unloading and the line through zero of each; shear has one stiffness.
+/// The properties of each mode: loading, unloading and the line through zero; shear has one stiffness.
 const LINES: [&[&str]; 5] = [
     &["stiffnessPerUnitAreaK_fn1", "stiffnessPerUnitAreaKu_fn1", "stiffnessPerUnitAreaKc_fn1"],
     &["stiffnessPerUnitAreaK_fn2", "stiffnessPerUnitAreaKu_fn2", "stiffnessPerUnitAreaKc_fn2"],
@@ -43,7 +43,7 @@ const ETA: [&str; 4] = [
 pub const LAMBDA: f64 = 0.8;
 
 impl Bond<'_> {
-    /// As laws with values and settings, over `hooke`, which LIGGGHTS wants too and which never acts.
+    /// The laws with values and settings. LIGGGHTS needs a normal law too, so there is `hooke`, which never acts.
     pub fn matter(&self) -> Matter {
         let apart = 2.0 * self.radius + self.gap;
         let mut m = Matter {

@@ -1,10 +1,10 @@
-//! Fixed steps that end where something happens: first touch, last touch, the turning point, a change of branch.
+//! Fixed steps, shortened to end at events: first touch, last touch, the turning point, a change of branch.
 use super::motion::{Instant, Motion};
 use super::shot::{Outcome, Shot};
 use granlaw::chain::Chain;
 use granlaw::law::Kind;
 
-/// The contact in steps of `h` \[s\]; about as many steps as make `duration`. Also the number of law evaluations.
+/// Integrates the contact in steps of `h` \[s\]. Returns the outcome and the number of evaluations of the laws.
 pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outcome, u64) {
     let start = shot.start(h, 0.0, 0);
     let watched: Vec<bool> = chain.laws().map(|m| matches!(m.kind, Kind::Normal | Kind::Cohesion)).collect();
@@ -31,7 +31,7 @@ pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outc
             false => end,
             true => {
                 let here = at.clone();
-                // To a part of the step that is small against the error of the step itself.
+                // The event is found to a fraction of the step that is small against the error of the step itself.
                 let part = bisect(h, 20, |h| {
                     let there = m.step(&here, h);
                     mode(&mut m, &there, &watched) != begun
@@ -48,14 +48,14 @@ pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outc
     (Outcome { peak, duration, parted, force, ..shot.judge(&at.bodies) }, calls)
 }
 
-/// What must not change within a step: the way of the motion, and the branch of the laws that have branches.
+/// What must not change within a step: the direction of the motion, and the branch of each law that has branches.
 fn mode(m: &mut Motion<'_>, at: &Instant, watched: &[bool]) -> (bool, Vec<&'static str>) {
     let branches = m.branches(at);
     let kept = branches.into_iter().zip(watched).filter(|(_, watched)| **watched).map(|(b, _)| b);
     (at.vn < 0.0, kept.collect())
 }
 
-/// The shortest of (0, h] for which `beyond` holds, to `halvings` halvings; `beyond` holds at `h`.
+/// The shortest time in (0, h] for which `beyond` holds, by `halvings` bisections; `beyond` holds at `h`.
 fn bisect(h: f64, halvings: u32, mut beyond: impl FnMut(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, h);
     for _ in 0..halvings {

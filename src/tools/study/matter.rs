@@ -1,9 +1,9 @@
-//! Laws with their numbers, written once: a chain for our own integrations, lines of a deck for LIGGGHTS.
+//! Laws with their numbers, written once, from which both a chain for our own integrations and the lines of a deck are made.
 use granlaw::chain::Chain;
 use granlaw::law::{Entry, Kind, LawError, Settings, Setup, Shape, Support, Values};
 use granlaw::laws::find;
 
-/// Laws with the property values and settings that a deck would give them; one material.
+/// Laws with the property values and settings that a deck would give them, for one material.
 #[derive(Clone, Debug, Default)]
 pub struct Matter {
     /// Kinds and names, in the order in which they run.
@@ -14,7 +14,7 @@ pub struct Matter {
     pub settings: Vec<(&'static str, &'static str)>,
 }
 
-/// Whose laws a deck asks for.
+/// The names under which a deck asks for laws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Names {
     /// LIGGGHTS's own names.
@@ -24,14 +24,14 @@ pub enum Names {
 }
 
 impl Matter {
-    /// The same with one value in place of another.
+    /// The same with another value of a property.
     pub fn with(mut self, name: &'static str, value: f64) -> Matter {
         self.values.retain(|(n, _)| *n != name);
         self.values.push((name, value));
         self
     }
 
-    /// The same with one setting in place of another.
+    /// The same with another option of a setting.
     pub fn set(mut self, name: &'static str, option: &'static str) -> Matter {
         self.settings.retain(|(n, _)| *n != name);
         self.settings.push((name, option));
@@ -43,7 +43,7 @@ impl Matter {
         self.set("centredDamping", "on").set("touchFraction", "on")
     }
 
-    /// A value, if it is given.
+    /// The value of a property, if it is given.
     pub fn value(&self, name: &str) -> Option<f64> {
         self.values.iter().find(|(n, _)| *n == name).map(|(_, v)| *v)
     }
@@ -52,7 +52,7 @@ impl Matter {
         self.laws.iter().map(|(kind, name)| find(*kind, name).expect("a law of LAWS"))
     }
 
-    /// What the laws are made from.
+    /// The set-ups from which the laws are made.
     ///
     /// # Errors
     /// A setting or option that a law does not have.
@@ -74,7 +74,7 @@ impl Matter {
     /// The laws, prepared.
     ///
     /// # Errors
-    /// The first thing that a law refuses.
+    /// A law refuses a value.
     pub fn chain(&self) -> Result<Chain, LawError> {
         Chain::packed(&self.setups()?)
     }
@@ -93,7 +93,7 @@ impl Matter {
         out
     }
 
-    /// Whether LIGGGHTS alone cannot run this: a law that it lacks, or a setting of ours.
+    /// Whether LIGGGHTS alone cannot run this, because it lacks a law or a setting.
     pub fn needs_ours(&self) -> bool {
         let ours = |name: &str| self.entries().any(|e| e.support(name) == Support::OwnOnly);
         self.entries().any(|e| e.liggghts.stock_id.is_none())
@@ -109,7 +109,7 @@ impl Matter {
         self.laws.iter().map(one).collect::<Vec<_>>().join(" ")
     }
 
-    /// The words that switch the settings, behind everything else; those that only our own laws have need our names.
+    /// The settings as words of a deck, which come after all models. Settings that only our laws have need our names.
     pub fn switches(&self, names: Names) -> String {
         let known = |name: &str| {
             let has = |e: &Entry| e.meta.settings.iter().any(|s| s.name == name);

@@ -7,6 +7,7 @@ pub mod located;
 pub mod matter;
 pub mod modes;
 pub mod motion;
+pub mod row;
 pub mod shot;
 pub mod single;
 pub mod speed;

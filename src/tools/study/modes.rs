@@ -1,4 +1,5 @@
-//! The modes that a contact of two bodies reaches: what limits the time step.
+//! The stiffest modes that a contact of two bodies reaches, which limit the time step.
+use super::matter::Matter;
 use super::shot::Shot;
 use granlaw::chain::Chain;
 use granlaw::critical::Mode;
@@ -17,11 +18,11 @@ pub struct Modes {
     pub period: f64,
 }
 
-/// Steps per half period of the first loading in which a contact is looked at.
+/// Steps per half period of the first loading with which a contact is followed.
 const FINE: f64 = 4000.0;
 
-/// Moves the bodies by `chain` from first touch to last and looks at the contact by `observer`, of the same laws. Bodies that
-/// rest on a wall are looked at as they lie.
+/// Moves the bodies under `chain` from first touch to last, and asks `observer`, of the same laws, for stiffnesses on the way. Of
+/// bodies that rest on a wall only the first state counts.
 pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
     let meff = shot.meff();
     let (mut normal, mut tangential) =
@@ -51,7 +52,7 @@ pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
         }
         true
     });
-    // A Hertz contact begins with no stiffness at all; its period is that of a fair depth.
+    // A Hertz contact begins without stiffness; for its period the stiffness at some depth is used.
     let soft = soft.max(0.3 * normal.stiffness.min(first));
     Modes { normal, tangential, period: PI * (meff / soft).sqrt() }
 }
@@ -65,6 +66,14 @@ pub fn loading(chain: &mut Chain, shot: &Shot) -> f64 {
     let row = vec![0.0; chain.row()];
     let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
     along_normal(&kinds, &chain.observe(shot.types, &Contact { gap, surface }, &row)).0
+}
+
+/// The same for laws and numbers that are known to be sound \[N/m\].
+///
+/// # Panics
+/// If a law refuses them.
+pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
+    loading(&mut matter.chain().expect("a sound case"), shot)
 }
 
 /// Stiffness \[N/m\] and damping \[N s/m\] along the normal, of all laws that act there.

@@ -1,9 +1,10 @@
-//! Two bodies in steps of any length: the symmetric second-order step that the better methods are made of.
+//! The symmetric second-order step of two bodies, of any length, from which the better methods are made.
 //!
-//! Half a kick, the drift, half a kick, as in velocity Verlet; but forces see the velocities of their own instant, found
-//! by iteration, and history takes the velocities of the middle. So the step is of second order with dashpots and
-//! histories too. The laws are called as they are: once for the force and once for the history, both from the history
-//! before the step. A query afterwards would not do, as a contact that slips then sits on the border to sticking.
+//! Half a kick, the drift, half a kick, as in velocity Verlet; but forces are computed with the velocities of their own instant, found
+//! by iteration, and history with the velocities of the middle of the step. So the step is of second order with dashpots and
+//! histories too. The laws are used unchanged. They are called once for the force and once for the history, both with the history
+//! before the step. The force cannot be asked for after the history was updated, as a slipping contact is then on the border to
+//! sticking.
 use super::shot::Shot;
 use granlaw::chain::Chain;
 use granlaw::law::{Body, Call, Contact, Stage};
@@ -13,7 +14,7 @@ use granlaw::pair::{approach, moving, Partner, Start};
 pub struct Motion<'a> {
     chain: &'a mut Chain,
     start: &'a Start,
-    /// Of two that are bonded: their length when it begins \[m\], and 1 if they are pressed, −1 if they are stretched.
+    /// For two bonded bodies: their distance at the start \[m\], and 1 if they are pressed, −1 if they are stretched.
     bonded: Option<(f64, f64)>,
     /// Evaluations of the chain so far.
     pub calls: u64,
@@ -28,18 +29,18 @@ pub struct Instant {
     pub bodies: [Body; 2],
     /// Their history.
     pub history: Vec<f64>,
-    /// What acts on them.
+    /// The forces and torques on them.
     pub stage: Stage,
     /// Normal relative velocity \[m/s\], negative while approaching.
     pub vn: f64,
 }
 
-/// Evaluations of the force per step. The error of the iteration falls by γ dt/2m* with each: three leave less than
-/// the step itself does.
+/// Iterations of the force in each step. The error falls by a factor γ dt/2m* with each; after three it is smaller than that of the
+/// step itself.
 const ITERATIONS: usize = 3;
 
 impl<'a> Motion<'a> {
-    /// Of the bodies of a shot; `start` says what they are and what pulls at them.
+    /// The motion of the bodies of a shot; `start` holds the bodies and gravity.
     pub fn new(chain: &'a mut Chain, start: &'a Start, shot: &Shot) -> Motion<'a> {
         let length = || (start.bodies[0].x - start.bodies[1].x).norm();
         let bonded = shot.row().map(|_| (length(), shot.speed.signum()));
@@ -81,7 +82,7 @@ impl<'a> Motion<'a> {
         to
     }
 
-    /// How fast bodies go on in the way in which they began \[m/s\].
+    /// How fast the bodies still move in the direction in which they began \[m/s\].
     pub fn inward(&self, at: &Instant) -> f64 {
         -at.vn * self.bonded.map_or(1.0, |b| b.1)
     }
@@ -91,14 +92,14 @@ impl<'a> Motion<'a> {
         self.contact(bodies, false, 0.0).surface.vn
     }
 
-    /// How deep the surfaces overlap \[m\] a time `h` later; no law is asked.
+    /// The overlap of the surfaces a time `h` later, without evaluating any law \[m\].
     pub fn overlap_after(&self, from: &Instant, h: f64) -> f64 {
         let mut bodies = from.bodies;
         self.kick(&mut bodies, &from.stage, 0.5 * h);
         self.overlap(&self.drift(&bodies, h))
     }
 
-    /// How deep the surfaces overlap \[m\]; negative when apart. Of bonded ones, how far they are from their length.
+    /// The overlap of the surfaces \[m\]; negative when apart. Of bonded bodies, the change of their distance.
     pub fn overlap(&self, bodies: &[Body; 2]) -> f64 {
         if let Some((length, sign)) = self.bonded {
             return sign * (length - (bodies[0].x - bodies[1].x).norm());
@@ -141,7 +142,7 @@ impl<'a> Motion<'a> {
         stage
     }
 
-    /// What the laws see; surfaces that have parted within a step are seen just touching.
+    /// The input of the laws; surfaces that have parted within a step count as just touching.
     fn contact(&self, bodies: &[Body; 2], update: bool, dt: f64) -> Contact {
         let is_wall = matches!(self.start.partner, Partner::Plane { .. });
         let call = Call { dt, step: 2, update, is_wall, ..Call::default() };

@@ -1,5 +1,5 @@
 //! One contact from first touch to last: two spheres, or a sphere and a wall, shot at each other.
-use super::tied::{beads, Tied};
+use super::row::{random, Tied, Way};
 use granlaw::law::Body;
 use granlaw::pair::{Opened, Partner, Start, State};
 use nalgebra::Vector3;
@@ -24,9 +24,9 @@ pub struct Shot {
     pub speed: f64,
     /// Tangential velocity of i against its partner \[m/s\].
     pub slide: f64,
-    /// Instead of all that, a sphere that rests on the wall and gets `speed` and `slide`.
+    /// If set, a sphere that rests on the wall and is then given `speed` and `slide`.
     pub rest: Option<Rest>,
-    /// Instead, bonded spheres in a row along x; with `rest`, one that hangs on the wall by a bond.
+    /// If set, bonded spheres in a row along x, or with `rest` one sphere that hangs on the wall by a bond.
     pub tied: Option<Tied>,
 }
 
@@ -35,30 +35,31 @@ pub struct Shot {
 pub struct Rest {
     /// Acceleration of gravity \[m/s²\].
     pub gravity: f64,
-    /// Overlap at rest \[m\]; of one that hangs, how far its bond is stretched.
+    /// Overlap at rest \[m\]; of a sphere that hangs, the extension of its bond.
     pub sunk: f64,
-    /// How long it is followed \[s\].
+    /// Time for which it is followed \[s\].
     pub time: f64,
-    /// Whether it begins to roll without sliding; else it has no spin.
+    /// Whether it begins by rolling without sliding; if not, it begins without spin.
     pub rolls: bool,
 }
 
-/// What came of it.
+/// The outcome of a contact.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outcome {
     /// Normal speed of separation over that of approach, along the line of the approach.
     pub restitution: f64,
     /// Largest normal force \[N\].
     pub peak: f64,
-    /// From first touch to last \[s\].
+    /// Time from first touch to last \[s\].
     pub duration: f64,
-    /// Spin of i about the axis that friction turns it about \[rad/s\].
+    /// Spin of i about the axis about which friction turns it \[rad/s\].
     pub spin: f64,
-    /// Kinetic energy, turning included, over that before, in the frame in which the centre of mass rests.
+    /// Kinetic energy, with that of spin, over that at the start, in the frame in which the centre of mass rests.
     pub energy: f64,
-    /// How far i has come along x \[m\].
+    /// Coordinate x of i \[m\].
     pub distance: f64,
-    /// What is left of the tangential speed; of a sphere that hangs, of the speed at which it swung through its place at first.
+    /// The part of the tangential speed that is left; of a sphere that hangs, of the speed with which it first swung through its place of
+    /// rest.
     pub left: f64,
     /// Whether the surfaces are apart at the end.
     pub apart: bool,
@@ -88,7 +89,7 @@ impl Shot {
         }
     }
 
-    /// The bodies, just touching; of a row, the first two where its bonds begin.
+    /// The bodies, just touching; of a row, its first two at the moment when bonds begin.
     pub fn bodies(&self) -> [Body; 2] {
         if let Some(tied) = self.row() {
             let all = beads(self, &tied);
@@ -162,7 +163,7 @@ impl Shot {
         self.tied.filter(|_| !self.wall)
     }
 
-    /// All bodies that move, where it begins.
+    /// All bodies that move, at the start.
     fn begun(&self) -> Vec<Body> {
         match self.row() {
             Some(tied) => beads(self, &tied),
@@ -170,7 +171,8 @@ impl Shot {
         }
     }
 
-    /// What the motion of the bodies says, of a row from its first to its last; forces and times are left to the caller.
+    /// The outcome as far as it follows from the motion of the bodies, of a row from its first and last; forces and times are left to
+    /// the caller.
     pub fn judge(&self, bodies: &[Body]) -> Outcome {
         let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
         let apart = if self.wall { i.v } else { i.v - j.v }.dot(&self.normal());
@@ -191,8 +193,8 @@ impl Shot {
         Outcome { finite, ..outcome }
     }
 
-    /// Kinetic energy over that before; of a sphere that rests, with that of its spring; of one that hangs, over what it won by
-    /// falling to its place.
+    /// Kinetic energy over that at the start. Of a sphere that rests, the energy of its spring is added to both; of one that hangs, the
+    /// reference is the energy gained by falling to its place of rest.
     fn energy(&self, bodies: &[Body]) -> f64 {
         let one = |b: &Body| {
             0.5 * b.mass * (b.v.norm_squared() + 0.4 * b.radius * b.radius * b.omega.norm_squared())
@@ -203,15 +205,15 @@ impl Shot {
             return kinetic(bodies) / (0.5 * bodies[0].mass * (r.gravity * r.sunk).abs());
         }
         let all = |b: &[Body]| {
-            // The spring of a sphere at rest, about its place.
+            // The spring of a sphere at rest, relative to its place of rest.
             let off = b[0].x.z - (b[0].radius - r.sunk);
             kinetic(b) + 0.5 * b[0].mass * r.gravity / r.sunk * off * off
         };
         all(bodies) / all(&self.begun())
     }
 
-    /// How deep the surfaces overlap \[m\]; negative when apart. Of a row, how far it is from its length, towards where it is
-    /// set going.
+    /// The overlap of the surfaces \[m\]; negative when apart. Of a row, the change of its length, positive in the direction in which it
+    /// was set going.
     pub fn overlap(&self, bodies: &[Body]) -> f64 {
         let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
         if self.wall {
@@ -226,7 +228,37 @@ impl Shot {
     }
 }
 
-/// Follows an integration step by step and says when the contact is over.
+/// The spheres of a row at the moment when its bonds begin; the first has the largest x.
+pub fn beads(shot: &Shot, tied: &Tied) -> Vec<Body> {
+    let n = tied.beads;
+    let mut all: Vec<Body> = Vec::with_capacity(n);
+    for k in 0..n {
+        let radius = if k % 2 == 1 { shot.radius * shot.ratio } else { shot.radius };
+        let mass = 4.0 / 3.0 * PI * radius.powi(3) * shot.density;
+        let x = all.last().map_or(0.0, |b: &Body| b.x.x - (b.radius + tied.gap + radius));
+        all.push(Body { tag: k as i64 + 1, radius, mass, x: Vector3::x() * x, ..Body::default() });
+    }
+    let total: f64 = all.iter().map(|b| b.mass).sum();
+    for k in 0..n {
+        // Two spheres of any masses have no momentum together; in longer rows all have the same mass.
+        let shape = match n {
+            2 => [total - all[0].mass, all[1].mass - total][k] / total,
+            _ => (PI * (k as f64 + 0.5) / n as f64).cos() / (2.0 * (PI / (2 * n) as f64).cos()),
+        };
+        let b = &mut all[k];
+        match tied.way {
+            Way::Along => b.v.x = -shot.speed * shape,
+            Way::Shear => b.v.y = shot.slide * shape,
+            Way::Bend => b.omega.z = shot.slide * shape / b.radius,
+            Way::Twist => b.omega.x = shot.slide * shape / b.radius,
+            Way::AlongAtRandom(seed) => b.v.x = shot.speed * random(seed, k),
+            Way::TwistAtRandom(seed) => b.omega.x = shot.slide * random(seed, k) / b.radius,
+        }
+    }
+    all
+}
+
+/// Follows an integration step by step and finds when the contact is over.
 #[derive(Debug)]
 pub struct Follow<'a> {
     shot: &'a Shot,
@@ -238,12 +270,12 @@ pub struct Follow<'a> {
 }
 
 impl<'a> Follow<'a> {
-    /// An integration that begins `before` steps ahead of first touch; forces are kept if asked for.
+    /// Follows an integration that begins `before` steps ahead of first touch; forces are kept if asked for.
     pub fn new(shot: &'a Shot, start: &'a Start, before: f64, with_force: bool) -> Follow<'a> {
         Follow { shot, start, before, with_force, overlap: 0.0, seen: Outcome::default() }
     }
 
-    /// Sees a state; whether to go on.
+    /// Takes a state. Returns whether to go on.
     pub fn step(&mut self, s: &State) -> bool {
         if self.shot.rest.is_some() {
             return s.bodies[0].x.x.is_finite();
@@ -258,16 +290,36 @@ impl<'a> Follow<'a> {
                 self.seen.force.push((time, s.stage.fn_));
             }
         } else if time > dt {
-            // Surfaces part between two steps, with an all but constant velocity.
+            // Surfaces part between two steps, where the velocity is nearly constant.
             self.seen.duration = time + dt * overlap / (was - overlap);
             self.seen.parted = true;
         }
         !self.seen.parted && overlap.is_finite()
     }
 
-    /// What came of it.
+    /// The outcome.
     pub fn end(self, bodies: &[Body]) -> Outcome {
         let Outcome { peak, duration, parted, force, .. } = self.seen;
         Outcome { peak, duration, parted, force, ..self.shot.judge(bodies) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_begin_without_momentum_and_as_wide_apart_as_they_are_told() {
+        let tied = |beads, way| Tied { beads, gap: 1e-5, way };
+        let shot = Shot { ratio: 0.5, slide: 0.3, ..Shot::head_on(1e-3, 1000.0, 0.2) };
+        let two = beads(&shot, &tied(2, Way::Along));
+        let momentum: f64 = two.iter().map(|b| b.mass * b.v.x).sum();
+        assert!(momentum.abs() < 1e-18 && (two[1].v.x - two[0].v.x - 0.2).abs() < 1e-15);
+        assert!((two[0].x.x - two[1].x.x - 1.51e-3).abs() < 1e-18);
+        let many = beads(&Shot { ratio: 1.0, ..shot }, &tied(7, Way::Along));
+        assert!((many[6].v.x - many[0].v.x - 0.2).abs() < 1e-15 && many[3].v.x.abs() < 1e-15);
+        let at_random = beads(&shot, &tied(100, Way::AlongAtRandom(3)));
+        assert!(at_random.iter().all(|b| b.v.x.abs() <= 0.2) && at_random.iter().any(|b| b.v.x > 0.1));
+        assert_ne!(at_random[0].v, beads(&shot, &tied(100, Way::AlongAtRandom(4)))[0].v);
     }
 }

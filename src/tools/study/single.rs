@@ -6,7 +6,7 @@ use granlaw::law::{Body, Call, ForLanes, Law, Setup, Size, Slots, Stage, Surface
 use granlaw::laws::all;
 use nalgebra::Vector3;
 
-/// A law in single precision, its types erased.
+/// A law in single precision, with a common interface for laws whose coefficients have different types.
 trait Kernel {
     fn touch(&mut self, call: &Call, x: &Surface<f32>, s: &mut Stage<f32>);
 }
@@ -75,7 +75,7 @@ impl Ball {
     }
 }
 
-/// Two spheres in steps of `dt` \[s\], from `before` steps ahead of first touch; `None` for walls and for laws that are
+/// Integrates two spheres in steps of `dt` \[s\], from `before` steps ahead of first touch; `None` for walls and for laws that are
 /// not written over lanes.
 pub fn impact(matter: &Matter, shot: &Shot, dt: f64, before: f64) -> Option<Outcome> {
     let start = shot.start(dt, before, 0);
@@ -111,7 +111,7 @@ fn kick(balls: &mut [Ball; 2], stage: &Stage<f32>, half: f32) {
     balls[1].kick(half, &-stage.force, &stage.torque_j);
 }
 
-/// What the surface model makes of two spheres, if they overlap.
+/// The surface model for two spheres, if they overlap.
 fn surface([i, j]: &[Ball; 2]) -> Option<Surface<f32>> {
     let delta = i.x - j.x;
     let radii = (i.radius, j.radius);

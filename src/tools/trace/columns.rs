@@ -1,4 +1,4 @@
-//! The columns of a trace: names, units, meaning, and where in a [`Row`] they belong.
+//! The columns of a trace: names, units, meaning, and their fields in a [`Row`].
 use super::Row;
 use nalgebra::Vector3;
 use std::fmt::Write;
@@ -14,7 +14,7 @@ pub struct Column {
     pub(crate) cell: fn(&mut Row) -> Cell<'_>,
 }
 
-/// A place in a row.
+/// A field of a row.
 pub(crate) enum Cell<'a> {
     Flag(&'a mut bool),
     Small(&'a mut i32),
@@ -88,7 +88,7 @@ pub const COLUMNS: &[Column] = &[
     column("has_force", "1", "1 if a law said that there is a force", |r| Flag(&mut r.has_force)),
 ];
 
-/// The names in the line of columns for a chain with these numbers of single atoms and these slots of history.
+/// The names of all columns of a chain with these per-atom properties and these history slots.
 pub fn column_names(atoms: &[String], slots: &[String]) -> Vec<String> {
     let mut any = Row::default();
     let mut names = Vec::new();

@@ -13,11 +13,11 @@ use thiserror::Error;
 pub struct Header {
     /// Version of granlaw.
     pub granlaw: String,
-    /// What LIGGGHTS calls itself.
+    /// The version of LIGGGHTS, in its own words.
     pub liggghts: String,
     /// File name of the deck.
     pub deck: String,
-    /// Fingerprint of the deck, with the name of the method, where it is known.
+    /// Fingerprint of the deck, with the name of the method, if it is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub deck_hash: Option<String>,
     /// The deck's `units`.
@@ -28,7 +28,7 @@ pub struct Header {
     pub rank: usize,
     /// Number of ranks of the run.
     pub ranks: usize,
-    /// Only every so many steps were recorded.
+    /// One in this many steps was recorded.
     pub every: u64,
     /// Number of atom types.
     pub types: usize,
@@ -39,15 +39,15 @@ pub struct Header {
     /// Remarks for people, for instance on columns that were not recorded but computed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// What the deck gives each atom and a law reads, by its name in `fix property/atom`.
+    /// The per-atom properties of the deck that a law reads, by their names in `fix property/atom`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub atoms: Vec<String>,
-    /// Every slot in a row of history, those of laws that granlaw lacks included.
+    /// All slots of a row of history, including those of laws that granlaw lacks.
     pub slots: Vec<String>,
     /// The laws of the chain, in the order in which they run.
     #[serde(default)]
     pub laws: Vec<LawSpec>,
-    /// The particles when the trace began, if they are few.
+    /// The particles at the start of the trace, if they are few.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub particles: Vec<Particle>,
 }
@@ -60,7 +60,7 @@ pub struct LawSpec {
     pub kind: String,
     /// The name in the deck, without `/rs`.
     pub keyword: String,
-    /// Whether the deck has it under LIGGGHTS's own name, without `/rs`.
+    /// Whether the deck uses LIGGGHTS's own name for it, without `/rs`.
     pub taken_over: bool,
     /// Whether granlaw has the law, so that settings and properties are complete.
     pub known: bool,
@@ -74,7 +74,7 @@ pub struct LawSpec {
     pub properties: Vec<Property>,
 }
 
-/// A property as typed into LIGGGHTS.
+/// A property as it was given to LIGGGHTS.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Property {
@@ -88,7 +88,7 @@ pub struct Property {
     pub values: Vec<f64>,
 }
 
-/// A particle when the trace began.
+/// A particle at the start of the trace.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Particle {
@@ -133,7 +133,7 @@ pub enum HeaderError {
         /// The laws that there are.
         known: String,
     },
-    /// A law refuses what the header says of it.
+    /// A law refuses its settings or properties.
     #[error(transparent)]
     Law(#[from] LawError),
     /// The header contradicts itself.
@@ -201,13 +201,13 @@ impl LawSpec {
 }
 
 impl Header {
-    /// Where the numbers of [`Header::atoms`] stand in [`Body::given`]; `None` for one that no law here reads.
+    /// The place of each of [`Header::atoms`] in [`Body::given`]; `None` for one that no law here reads.
     pub fn places(&self) -> impl Iterator<Item = Option<usize>> + '_ {
         let known = || LAWS.iter().flat_map(|e| e.meta.atoms);
         self.atoms.iter().map(move |name| known().find(|a| a.name == name).map(|a| a.place))
     }
 
-    /// What each law is made from, ready for [`Chain::new`].
+    /// The set-up of each law, ready for [`Chain::new`].
     ///
     /// # Errors
     /// Laws that granlaw lacks, all of them named; otherwise the first thing that is wrong or refused.
@@ -223,10 +223,10 @@ impl Header {
         self.laws.iter().map(|l| l.setup(self.types, self.nktv2p, &self.slots)).collect()
     }
 
-    /// Where the slots of each law lie in a row; `setups` are those of [`Header::setups`].
+    /// The places in a row of the slots of each law; `setups` are those of [`Header::setups`].
     ///
     /// # Panics
-    /// They are not.
+    /// If `setups` are those of another header.
     pub fn history_places(&self, setups: &[Setup]) -> Vec<Vec<usize>> {
         let of = |(l, s): (&LawSpec, &Setup)| l.places(s, &self.slots).expect("checked with the set-up");
         self.laws.iter().zip(setups).map(of).collect()
@@ -241,7 +241,7 @@ impl Header {
         Ok(Chain::new(&setups, &self.history_places(&setups))?)
     }
 
-    /// The law that keeps bonds, if there is one.
+    /// The law that makes bonds, if there is one.
     pub fn bonds(&self) -> Option<&LawSpec> {
         let keeps =
             |l: &&LawSpec| l.kind().and_then(|k| find(k, &l.keyword)).is_some_and(|e| e.meta.bonds.is_some());

@@ -1,4 +1,4 @@
-//! Traces: every call of a contact chain with all that went in and all that came out.
+//! Traces: every call of a contact chain, with all its inputs and results.
 //!
 //! A file holds one chain (the pair style, or one wall fix) on one rank:
 //!
@@ -8,7 +8,7 @@
 //! 4. where LIGGGHTS prepared the chain again, another header, which holds from there on; the columns stay;
 //! 5. `# end <number of rows>`. A file without it was cut short.
 //!
-//! Neither end ever holds more than one row. Numbers are in the units of the deck; the documented ones are SI.
+//! Reading and writing hold one row at a time in memory. Numbers are in the units of the deck; the documented ones are SI.
 mod columns;
 mod error;
 mod header;
@@ -33,7 +33,7 @@ pub const VERSION: u32 = 1;
 const MARK: &str = "# granlaw trace ";
 const END: &str = "# end ";
 
-/// What the laws of a chain had handed along when the last of them was done; units as in [`Stage`].
+/// The quantities that the laws of a chain pass on to each other, after the last law; units as in [`Stage`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Handed {
     /// Normal force \[N\], positive when it pushes apart.
@@ -59,7 +59,7 @@ impl From<&Stage> for Handed {
 pub struct Row {
     /// LIGGGHTS's `computeflag`.
     pub computeflag: i32,
-    /// LIGGGHTS's `shearupdate`. A row that is read has `gap.call.update` set from the two.
+    /// LIGGGHTS's `shearupdate`. When a row is read, `gap.call.update` is set from these two.
     pub shearupdate: i32,
     /// Whether the surfaces overlap (`surfacesIntersect`) or not (`surfacesClose`).
     pub touch: bool,
@@ -67,13 +67,13 @@ pub struct Row {
     pub types: (usize, usize),
     /// The call and the bodies.
     pub gap: Gap,
-    /// What the surface model made of them; zeros unless they touch.
+    /// The result of the surface model; zeros unless they touch.
     pub surface: Surface,
     /// History before the call, all slots of the chain.
     pub before: Vec<f64>,
     /// History after it.
     pub after: Vec<f64>,
-    /// What the laws handed along; zeros unless they touch.
+    /// What the laws passed on; zeros unless they touch.
     pub handed: Handed,
     /// Force on i \[N\].
     pub force_i: Vector3<f64>,

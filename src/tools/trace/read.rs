@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 use std::str::FromStr;
 
-/// Reads a trace. As an iterator it gives the rows; the first error ends it.
+/// Reads a trace. It is an iterator over the rows, which ends at the first error.
 pub struct Reader<R: Read> {
     lines: csv::Reader<R>,
     line: ByteRecord,
@@ -20,7 +20,7 @@ pub struct Reader<R: Read> {
     done: bool,
 }
 
-/// What a line that begins with `#` is.
+/// The kinds of line that begin with `#`.
 enum Comment {
     Head(String),
     End(String),
@@ -28,7 +28,7 @@ enum Comment {
 }
 
 impl Reader<File> {
-    /// A trace in a file.
+    /// Opens a trace in a file.
     ///
     /// # Errors
     /// If it cannot be read or is not a trace of this format.
@@ -40,7 +40,7 @@ impl Reader<File> {
 }
 
 impl<R: Read> Reader<R> {
-    /// A trace from anything; `file` is what it is called in errors.
+    /// Reads a trace from any source; `file` is its name in errors.
     ///
     /// # Errors
     /// If it cannot be read or is not a trace of this format.
@@ -73,12 +73,12 @@ impl<R: Read> Reader<R> {
         Ok(reader)
     }
 
-    /// The header that holds for the row read last; before the first row, the one at the top.
+    /// The header that applies to the last row that was read; before the first row, the one at the top.
     pub fn header(&self) -> &Header {
         &self.header
     }
 
-    /// How many headers there were so far; when it grows, coefficients have to be prepared again.
+    /// The number of headers so far; when it grows, coefficients have to be prepared again.
     pub fn headers(&self) -> u64 {
         self.headers
     }
@@ -96,7 +96,7 @@ impl<R: Read> Reader<R> {
         while !self.done {
             match self.comment() {
                 None => {
-                    // A row without a line after it is where writing stopped, and may be half a row.
+                    // If no line follows, writing stopped here, and this may be half a row.
                     let parsed = self.parse(row);
                     self.at = self.here();
                     if !self.next_line()? {
@@ -139,7 +139,7 @@ impl<R: Read> Reader<R> {
         TraceError::Truncated { file: self.file.clone(), line: self.lines.position().line() }
     }
 
-    /// The present line put together again, if it is a comment.
+    /// The text of the present line, if it is a comment.
     fn comment(&self) -> Option<Comment> {
         if !self.line.get(0)?.starts_with(b"#") {
             return None;

@@ -171,7 +171,7 @@ fn a_trace_cut_anywhere_is_an_error() {
             ["cut short", "not a trace", "unknown", "in the header", "column", "the last line says"];
         assert!(expected.iter().any(|e| why.contains(e)), "cut at {cut}: {why}");
     }
-    // Behind the columns it is always the missing end that is named, never half a number.
+    // After the line of columns the error always names the missing end, never half a number.
     let rows = whole.find("after.deltaMax\n").unwrap() + 15;
     for cut in rows..whole.find("# end").unwrap() + 5 {
         assert!(refusal(&whole[..cut]).contains("cut short"), "cut at {cut}: {}", refusal(&whole[..cut]));

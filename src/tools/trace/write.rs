@@ -7,7 +7,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a trace; only after [`Writer::finish`] it is complete.
+/// Writes a trace; it is complete only after [`Writer::finish`].
 pub struct Writer<W: Write> {
     out: csv::Writer<W>,
     file: String,
@@ -21,7 +21,7 @@ pub struct Writer<W: Write> {
 }
 
 impl Writer<File> {
-    /// A trace in a file. Until it is finished the file is called `<path>.part`.
+    /// Begins a trace in a file. Until it is finished the file is called `<path>.part`.
     ///
     /// # Errors
     /// If the file cannot be made or written.
@@ -38,12 +38,12 @@ impl Writer<File> {
 }
 
 impl<W: Write> Writer<W> {
-    /// A trace into anything; `file` is what it is called in errors.
+    /// Begins a trace in any target; `file` is its name in errors.
     ///
     /// # Errors
     /// If writing fails.
     pub fn new(out: W, file: &str, header: &Header) -> Result<Writer<W>, TraceError> {
-        // Only numbers and comments are written, so that nothing ever needs quotes.
+        // Only numbers and comments are written, so nothing needs quotes.
         let out = csv::WriterBuilder::new()
             .flexible(true)
             .quote_style(csv::QuoteStyle::Never)
@@ -65,7 +65,7 @@ impl<W: Write> Writer<W> {
         Ok(writer)
     }
 
-    /// A header that holds from here on, after coefficients were prepared again. The slots must be the same.
+    /// Writes a header that applies from here on, after coefficients were prepared again. The slots must be the same.
     ///
     /// # Errors
     /// Other slots or atom properties, or if writing fails.
@@ -80,7 +80,7 @@ impl<W: Write> Writer<W> {
         self.head(header)
     }
 
-    /// One call.
+    /// Writes one call.
     ///
     /// # Errors
     /// A history of another length than the header says, or if writing fails.
@@ -150,7 +150,7 @@ impl<W: Write> Writer<W> {
     }
 }
 
-/// Zero, by far the most frequent number, is kept short.
+/// Writes a number. Zero, by far the most frequent, is kept short.
 fn number<W: Write>(out: &mut csv::Writer<W>, text: &mut String, x: f64) -> csv::Result<()> {
     if x == 0.0 {
         out.write_field(if x.is_sign_negative() { "-0" } else { "0" })

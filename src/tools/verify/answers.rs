@@ -1,6 +1,6 @@
-//! Two answers side by side, as checks of the report.
+//! Compares two answers; the results are checks of the report.
+use super::attempt::Attempt;
 use super::checks::{self, Limit};
-use super::live::Attempt;
 use crate::compare::{self, CompareError, Difference, Frame, Quantity, Spot};
 use crate::deck::Final;
 use crate::replay::{replay_from, Replay, ReplayError};
@@ -10,7 +10,7 @@ use granlaw::law::Shape;
 use granlaw::laws::find;
 use std::path::{Path, PathBuf};
 
-/// Enter laws and coefficients in the case; the result counts calls, and those with overlapping surfaces or a force.
+/// Adds laws and coefficients to the case. Returns the number of calls, and of those with overlapping surfaces or a force.
 pub(super) fn describe(traces: &[PathBuf], case: &mut Case) -> Result<(u64, u64), String> {
     if traces.is_empty() {
         return Err("nothing was recorded: the deck has no pair style or wall made of contact models (pair_style gran, fix wall/gran)".into());
@@ -64,10 +64,10 @@ fn parameter(law: &LawSpec, p: &Property) -> Parameter {
     }
 }
 
-/// Every call of the traces again through the Rust laws, with the history of the longest contact followed.
+/// Replays every call of the traces through the Rust laws. Also returns the curves of the contact that was followed longest.
 pub(super) fn replay(traces: &[PathBuf], shows: Shows, limit: Limit<'_>) -> (Check, Vec<Curve>) {
     let name = "replay";
-    // The folder of the trace is gone by the time that somebody reads of it.
+    // Only the file name is given in messages, as the folder is gone by the time that they are read.
     let one = |p: &PathBuf| replay_from(Reader::open(p)?, &file(p));
     let done: Result<Vec<Replay>, ReplayError> = traces.iter().map(one).collect();
     let done = match done {
@@ -89,7 +89,8 @@ pub(super) fn replay(traces: &[PathBuf], shows: Shows, limit: Limit<'_>) -> (Che
 /// Where two answers differ, if they do.
 pub(super) type Found = Option<(String, Option<Worst>)>;
 
-/// The traces of the run on the Rust laws against those of LIGGGHTS's own; the curves of the longest contact followed.
+/// Compares the traces of the run on the Rust laws with those of LIGGGHTS's own. Also returns the curves of the contact that was
+/// followed longest.
 pub(super) fn traces(got: &[PathBuf], expected: &[PathBuf]) -> (Found, Vec<Curve>) {
     let names = |all: &[PathBuf]| all.iter().map(|p| file(p)).collect::<Vec<_>>();
     if names(got) != names(expected) {
@@ -119,7 +120,7 @@ fn first_difference(file: &str, t: &compare::Traces) -> Found {
         Some(s) => format!("step {}, contact {}-{} (line {})", s.step, s.tags.0, s.tags.1, s.line),
         None => "its end".into(),
     };
-    // The force tells most; a column of nothing but round-off would be off by the most.
+    // The force says most. By relative error, a column of nothing but round-off would come first.
     let force = t.quantities.iter().find(|q| q.name == "force_i" && !q.identical());
     let worst = force.or_else(|| Quantity::worst_of(&t.quantities)).and_then(Quantity::report);
     if let Some(stray) = t.stray {
@@ -134,7 +135,7 @@ fn file(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The dump files of two runs, byte for byte.
+/// Compares the dump files of two runs, byte for byte.
 pub(super) fn dumps(name: &str, shows: Shows, reason: &str, got: &Attempt, expected: &Attempt) -> Check {
     let list =
         |a: &Attempt| a.ran.dumps.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
@@ -171,14 +172,14 @@ fn told(dump: &str, d: &Difference) -> (String, Option<Worst>) {
     (text, worst)
 }
 
-/// One number of the last frame that a run dumped.
+/// Checks one number of the last frame that a run dumped.
 pub(super) fn last(stock: &Attempt, wanted: &Final, limit: Limit<'_>) -> Check {
     let name = format!("final {} of {}", wanted.column, wanted.id);
     let look = |dump: &PathBuf| -> Result<(i64, f64), CompareError> {
         let frame = Frame::last(&stock.folder.path().join(dump))?;
         Ok((frame.step, frame.value(wanted.id, &wanted.column)?))
     };
-    // Of several dumps any may have the column.
+    // If there are several dumps, any of them may have the column.
     let found = stock.ran.dumps.iter().map(look).reduce(|a, b| if a.is_ok() { a } else { b });
     let (step, got) = match found {
         Some(Ok(found)) => found,

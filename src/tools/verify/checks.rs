@@ -1,4 +1,4 @@
-//! How a comparison becomes a check of the report.
+//! Makes checks of the report out of comparisons.
 use crate::deck::Asked;
 use crate::report::{Check, Outcome, Shows, Tolerance, Worst};
 
@@ -19,7 +19,7 @@ impl<'a> Limit<'a> {
     }
 }
 
-/// A number held against a limit.
+/// A check of a number against a limit.
 pub(super) fn within(name: &str, shows: Shows, limit: Limit<'_>, worst: Worst) -> Check {
     let outcome = if worst.error <= limit.limit {
         Outcome::Agreed
@@ -33,12 +33,12 @@ pub(super) fn within(name: &str, shows: Shows, limit: Limit<'_>, worst: Worst) -
     Check { name: name.into(), shows, outcome, tolerance: limit.tolerance(), worst: Some(worst) }
 }
 
-/// Answers that may differ and do not.
+/// A check of answers that were allowed to differ and do not.
 pub(super) fn equal(name: &str, shows: Shows, limit: Limit<'_>) -> Check {
     Check { tolerance: limit.tolerance(), ..bare(name, shows, Outcome::Agreed) }
 }
 
-/// Answers that must be the same to the last bit: `difference` says where they are not.
+/// A check of answers that must be the same to the last bit: `difference` says where they are not.
 pub(super) fn identical(
     name: &str,
     shows: Shows,

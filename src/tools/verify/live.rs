@@ -1,8 +1,9 @@
 //! One deck, with LIGGGHTS and plugin at hand.
+use super::attempt::Attempt;
 use super::checks::{self, Limit};
 use super::{answers, two_body};
 use crate::deck::{Asked, Deck, Final, What};
-use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, Ran, RunError};
+use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
 use crate::report::{Case, Curve, Shows};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -14,12 +15,6 @@ pub(super) struct Bench<'a> {
     pub host: &'a Host,
     pub plugin: &'a Plugin,
     pub limit: Duration,
-}
-
-/// A finished run and its folder.
-pub(super) struct Attempt {
-    pub folder: Folder,
-    pub ran: Ran,
 }
 
 /// A run that ends the case: which, and why.

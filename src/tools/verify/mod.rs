@@ -1,21 +1,24 @@
 //! The main job: decks in, a verdict on each out.
 //!
 //! Every deck runs on LIGGGHTS's own laws, once alone and once recorded; the recorded calls are replayed through the
-//! Rust laws; the deck runs on the Rust laws inside LIGGGHTS; two free particles are integrated on our own. Which of
+//! Rust laws; the deck runs on the Rust laws inside LIGGGHTS; two free particles are integrated by our own code. Which of
 //! the answers differ tells whether the law, the boundary or the integration is at fault.
-use crate::deck::{Deck, DeckError};
+use crate::deck::Deck;
 use crate::liggghts::{Host, Plugin, RunError};
 use crate::report::{About, Case, Report};
 use rayon::prelude::*;
 use std::path::PathBuf;
 use std::time::Duration;
-use thiserror::Error;
 
 mod answers;
+mod attempt;
 mod checks;
+mod error;
 mod live;
 mod offline;
 mod two_body;
+
+pub use error::VerifyError;
 
 /// What to verify, and how.
 #[derive(Clone, Debug)]
@@ -32,43 +35,6 @@ pub struct Options {
     pub require_liggghts: bool,
     /// The command line, for the report.
     pub command: String,
-}
-
-/// Why nothing could be verified at all.
-#[derive(Debug, Error)]
-pub enum VerifyError {
-    /// A deck cannot be used.
-    #[error(transparent)]
-    Deck(#[from] DeckError),
-    /// LIGGGHTS or the plugin is missing or wrong.
-    #[error(transparent)]
-    Run(#[from] RunError),
-    /// Neither LIGGGHTS nor recorded traces.
-    #[error("{missing}\nwithout it only recorded traces can be replayed, and none were found in\n  {}", looked.join("\n  "))]
-    NoTraces {
-        /// What is missing.
-        missing: String,
-        /// Where traces were looked for.
-        looked: Vec<String>,
-    },
-    /// The shard leaves no deck.
-    #[error("--shard {k}/{n} leaves none of the {decks} decks; take fewer shards")]
-    EmptyShard {
-        /// Number of the shard.
-        k: usize,
-        /// Number of shards.
-        n: usize,
-        /// Number of decks.
-        decks: usize,
-    },
-    /// The operating system gives no threads.
-    #[error("cannot start {jobs} jobs: {why}; take fewer with --jobs")]
-    Threads {
-        /// How many.
-        jobs: usize,
-        /// What the system says.
-        why: String,
-    },
 }
 
 /// A verification that is ready to begin.
@@ -118,10 +84,10 @@ impl Plan {
         self.tools.as_ref().err()
     }
 
-    /// Do it; `done` sees each case as it is finished.
+    /// Runs all cases; `done` is called for each when it is finished.
     ///
     /// # Errors
-    /// There is nothing to do it with, or it was interrupted.
+    /// There is neither LIGGGHTS nor a recorded trace, or it was interrupted.
     pub fn run(&self, done: &(dyn Fn(&Case) + Sync)) -> Result<Report, VerifyError> {
         let mut about = self.about();
         let cases = match &self.tools {

@@ -1,4 +1,4 @@
-//! Without LIGGGHTS: recorded traces stand in for it, and the report says what that leaves out.
+//! Verifies without LIGGGHTS, on recorded traces; the report says what that leaves out.
 use super::checks::{self, Limit};
 use super::{answers, two_body, VerifyError};
 use crate::deck::{Asked, Deck, What};
@@ -11,7 +11,7 @@ use std::time::Instant;
 
 const REASON: &str = "the same operations in the same order may differ by a few rounding errors of the peak";
 
-/// Every recorded trace as a case.
+/// One case for every recorded trace.
 pub(super) fn cases(missing: &RunError) -> Result<Vec<Case>, VerifyError> {
     let folders = folders();
     let traces: Vec<_> = folders.iter().map(|f| traces(f)).find(|t| !t.is_empty()).unwrap_or_default();
@@ -22,7 +22,7 @@ pub(super) fn cases(missing: &RunError) -> Result<Vec<Case>, VerifyError> {
     Ok(traces.iter().map(|t| case(t)).collect())
 }
 
-/// What the whole run leaves out.
+/// What such a run leaves out, in words.
 pub(super) fn notes(missing: &RunError, decks: &[(String, Deck)], traces: usize) -> Vec<String> {
     let why = missing.to_string().lines().next().unwrap_or_default().to_string();
     let names: Vec<_> = decks.iter().map(|(name, _)| name.as_str()).collect();
@@ -34,7 +34,7 @@ pub(super) fn notes(missing: &RunError, decks: &[(String, Deck)], traces: usize)
     ]
 }
 
-/// Where recorded traces may lie: with an installed granlaw, with its source, or here.
+/// The folders in which recorded traces are looked for: those of an installed granlaw, of its source, and here.
 fn folders() -> Vec<PathBuf> {
     let exe = std::env::current_exe().and_then(|p| p.canonicalize()).unwrap_or_default();
     let share = exe.parent().and_then(Path::parent).map(|p| p.join("share/granlaw/reference_data"));
@@ -75,7 +75,7 @@ fn case(trace: &Path) -> Case {
 
 const LEFT_OUT: &str = "needs a run of LIGGGHTS with the plugin";
 
-/// The deck of which a trace was made, if it lies beside it.
+/// The deck from which a trace was recorded, if it is in the same folder.
 fn deck(trace: &Path) -> Option<Deck> {
     let name = Reader::open(trace).ok()?.header().deck.clone();
     Deck::read(&trace.with_file_name(name)).ok()

@@ -1,4 +1,4 @@
-//! Our own integration of two particles from the recorded first state, held against every recorded evaluation.
+//! Our own integration of two particles from the recorded first state, compared with every recorded evaluation.
 use super::checks::{self, Limit};
 use crate::report::{Check, Curve, Shows, Worst};
 use crate::trace::{Header, Reader, Row, TraceError};
@@ -57,12 +57,12 @@ fn nothing() -> Worst {
     Worst { step: 0, what: String::new(), got: 0.0, expected: 0.0, error: 0.0, norm: String::new() }
 }
 
-/// What a first reading of a trace tells.
+/// What is learnt from a first reading of a trace.
 struct Seen {
     header: Header,
     first: Row,
     last: i64,
-    /// Whether the laws were told of surfaces that do not touch.
+    /// Whether the laws were also called while surfaces did not touch.
     told: bool,
     scale: Scale,
 }
@@ -91,7 +91,7 @@ impl Seen {
         Ok(seen)
     }
 
-    /// The state in which the recording began, with i and j as LIGGGHTS's list has them.
+    /// The first recorded state, with i and j in the order of LIGGGHTS's list.
     fn start(&self) -> Result<Start, String> {
         let Seen { header, first: row, .. } = self;
         let [a, b] = &header.particles[..] else {
@@ -157,8 +157,8 @@ impl Rows {
     }
 }
 
-/// What errors are measured by. Spin and torque are measured by what they do at the surface, so that a spin that ought
-/// to be zero is not held against its own rounding.
+/// The scales of errors. Spin and torque are compared by what they do at the surface, so that the error of a spin that should be zero is
+/// not relative to its own rounding.
 #[derive(Default)]
 struct Scale {
     overlap: f64,
@@ -169,15 +169,15 @@ struct Scale {
 impl Scale {
     fn raise(&mut self, r: &Row) {
         let speed = |b: &Body| b.v.norm().max(b.omega.norm() * b.radius);
-        // Of bodies that never touch, the gap.
+        // If the bodies never touch, the gap is the scale.
         let overlap = r.gap.i.radius + r.gap.j.radius - r.gap.rsq.sqrt();
         self.overlap = self.overlap.max(overlap.abs());
         self.speed = self.speed.max(speed(&r.gap.i)).max(speed(&r.gap.j));
         self.force = self.force.max(r.force_i.norm());
     }
 
-    /// Enter the worst difference of a step; the result is that of the force. A step that only one side has is held
-    /// against no contact.
+    /// Adds the worst difference of a step, and returns that of the force. A step that only one side has is compared with no
+    /// contact.
     fn compare(&self, state: &State, row: Option<&Row>, worst: &mut Worst) -> f64 {
         let none = Row::default();
         let (ours, stage) = (&state.contact.gap, &state.stage);
@@ -196,7 +196,7 @@ impl Scale {
         let mut last = 0.0;
         for (what, got, expected, scale) in pairs {
             let error = if got == expected { 0.0 } else { (got - expected).norm() / scale };
-            // A NaN must not slip through, nor give way to a later number.
+            // NaN counts as the worst, and stays the worst.
             if worst.what.is_empty() || (!worst.error.is_nan() && (error > worst.error || error.is_nan())) {
                 worst.step = state.step;
                 worst.what = format!("{what} of {}-{}", ours.i.tag, ours.j.tag);

@@ -4,7 +4,7 @@ mod forces;
 use crate::arrays::Particles;
 use crate::list::List;
 use crate::near::Near;
-use crate::pass::NonFinite;
+use crate::trouble::NonFinite;
 use crate::unit::Unit;
 use granlaw::lane::dot;
 use granlaw::law::{Stage, Surface};

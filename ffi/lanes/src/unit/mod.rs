@@ -1,14 +1,11 @@
 //! The vector units of this machine, and which of them is used.
-use crate::pass::Pass;
-use crate::Batch;
 use granlaw::lane::{Lane, Pack};
-use granlaw::law::{LawError, Setup};
 use nalgebra::Vector3;
 
 #[cfg(target_arch = "x86_64")]
-mod avx2;
+pub(crate) mod avx2;
 #[cfg(target_arch = "x86_64")]
-mod avx512;
+pub(crate) mod avx512;
 #[cfg(test)]
 mod tests;
 
@@ -158,37 +155,20 @@ impl Width {
 }
 
 #[cfg(target_arch = "x86_64")]
-fn has_avx2() -> bool {
+pub(crate) fn has_avx2() -> bool {
     is_x86_feature_detected!("avx2")
 }
 #[cfg(target_arch = "x86_64")]
-fn has_avx512() -> bool {
+pub(crate) fn has_avx512() -> bool {
     is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx2")
 }
 #[cfg(not(target_arch = "x86_64"))]
-fn has_avx2() -> bool {
+pub(crate) fn has_avx2() -> bool {
     false
 }
 #[cfg(not(target_arch = "x86_64"))]
-fn has_avx512() -> bool {
+pub(crate) fn has_avx512() -> bool {
     false
-}
-
-/// See [`crate::batch`]. The only place that chooses a unit, after asking the processor for it.
-pub(crate) fn batch(
-    setups: &[Setup],
-    places: &[Vec<usize>],
-    width: Width,
-) -> Result<Option<Box<dyn Batch>>, LawError> {
-    match width {
-        Width::One => Pass::<f64>::boxed(setups, places),
-        #[cfg(target_arch = "x86_64")]
-        Width::Four if has_avx2() => Pass::<avx2::Avx2>::boxed(setups, places),
-        #[cfg(target_arch = "x86_64")]
-        Width::Eight if has_avx512() => Pass::<avx512::Avx512>::boxed(setups, places),
-        Width::Four => Pass::<Pack<4>>::boxed(setups, places),
-        Width::Eight => Pass::<Pack<8>>::boxed(setups, places),
-    }
 }
 
 /// The operators of a unit from its instructions.

@@ -11,6 +11,7 @@
 //! In an evaluation that may not write, nothing is carried or added: the stored state gives the answer.
 use super::bend::Disc;
 use super::coeffs::Modes;
+use super::loads::Loads;
 use super::{apart, creation, damping, failure, normal, seen_from, twist, Params};
 use crate::law::{Effects, Gap, Life, Mark, Stage, Terms};
 use bytemuck::{Pod, Zeroable};
@@ -38,18 +39,6 @@ pub struct History {
     pub centre: [f64; 3],
     /// See `centre`.
     pub rho: f64,
-}
-
-/// What the bond carries, undamped.
-pub struct Loads {
-    /// F_n \[N\], positive when it pushes apart.
-    pub normal: f64,
-    /// F_t \[N\] on i.
-    pub shear: Vector3<f64>,
-    /// T_n \[N m\] on i, along n.
-    pub twist: f64,
-    /// T_t \[N m\] on i.
-    pub bend: Vector3<f64>,
 }
 
 /// How the two bodies move.

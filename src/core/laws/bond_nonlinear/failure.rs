@@ -1,6 +1,6 @@
 //! Failure (14), (15).
 use super::coeffs::Breaks;
-use super::documented::Loads;
+use super::loads::Loads;
 use super::Params;
 
 /// Whether a distance, as [`super::apart`] compares it, tears the bond \[m\].

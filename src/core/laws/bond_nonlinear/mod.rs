@@ -41,6 +41,7 @@ mod creation;
 mod damping;
 mod documented;
 mod failure;
+mod loads;
 mod normal;
 mod props;
 mod swings;

@@ -1,4 +1,4 @@
-//! Bars: some numbers per group, with their ranges, side by side for each series.
+//! Bars: groups of numbers with their ranges, one bar for each series.
 use super::{Bars, Spread};
 use crate::report::axis::{drawable, Axis};
 use crate::report::frame::Frame;

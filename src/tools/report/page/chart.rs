@@ -53,7 +53,7 @@ fn line(trend: &Trend, place: &dyn Fn(&Mark) -> Option<(f64, f64)>) -> String {
     format!("<path class=\"trend\" d=\"M{}\"/>", points.join("L"))
 }
 
-/// A line through the points that nothing beats, from the cheapest on.
+/// A line through the points that no other beats, from the cheapest on.
 fn front(chart: &Chart, place: &dyn Fn(&Mark) -> Option<(f64, f64)>) -> String {
     let best = chart.trends.iter().flat_map(|t| &t.marks).filter(|m| m.front);
     let mut points: Vec<_> = best.filter_map(place).collect();
@@ -71,7 +71,7 @@ fn bars(mark: &Mark, x: &Axis, y: &Axis, (px, py): (f64, f64)) -> String {
     if let Some((low, high)) = ends(x, mark.x.low, mark.x.high).filter(|(l, h)| h > l) {
         d += &format!("M{:.1} {py:.1}H{:.1}", FRAME.across(low), FRAME.across(high));
     }
-    // A lower end of zero has no place on this axis but its floor.
+    // A lower end of zero is drawn at the bottom of the axis.
     if let Some((low, high)) = ends(y, mark.y.low, mark.y.high).filter(|(l, h)| h > l) {
         d += &format!("M{px:.1} {:.1}V{:.1}", FRAME.up(low), FRAME.up(high));
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::fs;
 use std::path::Path;
 
-/// What those files are called, and how `report.json` begins.
+/// The names of those files, and how `report.json` begins.
 const KIND: Kind =
     Kind { ours: &["index.html", "report.json", "figures", "csv"], format: "granlaw-study/1", what: "study" };
 
@@ -63,7 +63,7 @@ fn files(item: &Item, dir: &Path) -> Result<(), ReportError> {
     write().map_err(|e: csv::Error| ReportError::io(&path, e.into()))
 }
 
-/// A drawing that stands on its own: with name space and style.
+/// A drawing as a file of its own, with name space and style.
 fn alone(svg: &str) -> String {
     svg.replacen("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ", 1).replacen(
         '>',

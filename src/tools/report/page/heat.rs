@@ -1,4 +1,4 @@
-//! Maps: a field of coloured cells, borders across it, and points that something else was asked about.
+//! Maps: a field of coloured cells, with borders and with points at which another program was run.
 use super::{Map, Scale, Spot};
 use crate::report::axis::Axis;
 use crate::report::frame::Frame;
@@ -43,7 +43,7 @@ pub(super) fn svg(map: &Map) -> String {
     )
 }
 
-/// An axis over the cells, half a cell beyond the middles of the first and the last.
+/// An axis over the cells; it ends half a cell beyond the middles of the first and the last.
 struct Side {
     axis: Axis,
 }
@@ -67,7 +67,7 @@ impl Side {
     }
 }
 
-/// One path per outcome: neighbours of a row are drawn as one bar.
+/// One path for each outcome; neighbouring cells of a row are drawn as one bar.
 fn cells(map: &Map) -> String {
     let (nx, ny) = (map.x.values.len(), map.y.values.len());
     let mut paths = vec![String::new(); map.classes.len()];
@@ -88,7 +88,7 @@ fn cells(map: &Map) -> String {
     paths.iter().enumerate().map(path).collect()
 }
 
-/// Outcomes are spread over the tones, the first and the last at the ends.
+/// Spreads the outcomes evenly over the colours; the first and the last get those at the ends.
 fn tone(map: &Map, class: usize) -> usize {
     let n = map.classes.len().max(2) - 1;
     (class * (TONES - 1) + n / 2) / n

@@ -52,7 +52,7 @@ impl Page {
     }
 }
 
-/// As in a report of decks, but for the steps: what a study checks is a number of many runs.
+/// As in a report of decks, but without the time step, as a study checks results of many runs.
 fn checks(checks: &[Check]) -> String {
     let rows: String = checks.iter().map(check).collect();
     format!(

@@ -1,4 +1,4 @@
-//! A document of sections with text, tables, charts, maps and bars: what the studies return. It knows no physics.
+//! A document of sections with text, tables, charts, maps and bars: what the studies return. Nothing here depends on physics.
 //!
 //! [`write_page`] makes the folder: `index.html` for people, `figures/*.svg`, `csv/*.csv` with the numbers of every table,
 //! chart and map, and `report.json` for programs.
@@ -10,7 +10,7 @@ mod html;
 
 pub use files::{check_page_target, write_page};
 
-use super::{json, About, Check};
+use super::{numbers, About, Check};
 use serde::Serialize;
 
 /// A document.
@@ -20,11 +20,11 @@ pub struct Page {
     pub program: String,
     /// The result in one sentence.
     pub headline: String,
-    /// The programs behind it.
+    /// The programs that made it.
     pub about: About,
-    /// What was held against a limit.
+    /// The checks against limits.
     pub checks: Vec<Check>,
-    /// The rest, in order.
+    /// The sections, in order.
     pub sections: Vec<Section>,
 }
 
@@ -60,9 +60,9 @@ pub struct Table {
     pub name: String,
     /// One line for people.
     pub caption: String,
-    /// The heads, with units.
+    /// The heads of the columns, with units.
     pub columns: Vec<String>,
-    /// As many cells as columns each.
+    /// The rows, each with as many cells as there are columns.
     pub rows: Vec<Vec<Cell>>,
 }
 
@@ -73,7 +73,7 @@ pub enum Cell {
     /// Words.
     Text(String),
     /// A number, shown to three digits.
-    Number(#[serde(serialize_with = "json::number")] f64),
+    Number(#[serde(serialize_with = "numbers::number")] f64),
     /// A whole number.
     Count(u64),
 }
@@ -109,9 +109,9 @@ pub struct Chart {
     pub name: String,
     /// One line for people.
     pub caption: String,
-    /// What goes across, with its unit.
+    /// The quantity of the horizontal axis, with its unit.
     pub x: String,
-    /// What goes up, with its unit.
+    /// The quantity of the vertical axis, with its unit.
     pub y: String,
     /// The curves, in the order of the legend.
     pub trends: Vec<Trend>,
@@ -126,7 +126,7 @@ pub struct Trend {
     pub note: String,
     /// Whether its points are joined.
     pub joined: bool,
-    /// Colour and mark by number, where curves of one kind should look alike in several charts; else by its place.
+    /// The number of its colour and mark, so that curves of one kind look alike in several charts; without it, its place in `curves`.
     pub look: Option<usize>,
     /// The points.
     pub marks: Vec<Mark>,
@@ -137,11 +137,11 @@ pub struct Trend {
 pub struct Mark {
     /// What it is, for instance a number of steps.
     pub label: String,
-    /// Across, with its range.
+    /// Its horizontal coordinate, with its range.
     pub x: Spread,
-    /// Up, with its range.
+    /// Its vertical coordinate, with its range.
     pub y: Spread,
-    /// Whether nothing is better in both; drawn with a ring.
+    /// Whether no other point is better in both coordinates; it is drawn with a ring.
     pub front: bool,
 }
 
@@ -149,13 +149,13 @@ pub struct Mark {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Spread {
     /// The number.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub at: f64,
     /// Lower end.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub low: f64,
     /// Upper end.
-    #[serde(serialize_with = "json::number")]
+    #[serde(serialize_with = "numbers::number")]
     pub high: f64,
 }
 
@@ -185,7 +185,7 @@ pub struct Map {
     pub values: Vec<(String, Vec<f64>)>,
     /// Lines across the field.
     pub borders: Vec<Border>,
-    /// Points that something else was asked about.
+    /// Points at which another program was run.
     pub spots: Vec<Spot>,
 }
 
@@ -195,7 +195,7 @@ pub struct Scale {
     /// The quantity with its unit.
     pub label: String,
     /// The middles.
-    #[serde(serialize_with = "json::numbers")]
+    #[serde(serialize_with = "numbers::numbers")]
     pub values: Vec<f64>,
     /// Whether they are evenly spaced in their logarithm.
     pub log: bool,
@@ -206,7 +206,7 @@ pub struct Scale {
 pub struct Border {
     /// What it separates, or where it comes from.
     pub name: String,
-    /// Where it runs; parts outside the map are not drawn.
+    /// Its points; parts outside the map are not drawn.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -219,7 +219,7 @@ pub struct Spot {
     pub y: f64,
     /// Whether the other answer was the same.
     pub agrees: bool,
-    /// What was found, for people.
+    /// What was found, in words.
     pub label: String,
 }
 
@@ -238,11 +238,11 @@ pub struct Bars {
     pub groups: Vec<Group>,
 }
 
-/// The bars that stand together.
+/// A group of bars.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Group {
-    /// What they share.
+    /// The label of the group.
     pub name: String,
-    /// The series of each, an index, and its number.
+    /// The bars, each with the index of its series and its number.
     pub bars: Vec<(usize, Spread)>,
 }

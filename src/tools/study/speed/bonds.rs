@@ -1,12 +1,13 @@
 //! The cases of bonds: spheres of 1 cm with a gap of 1 mm that their bonds act across.
 //!
-//! A swing is one way out and back, after which bonds without strength on the other side leave the spheres to themselves. It may be that of
-//! two, or of a chain that is set going in its slowest mode: all its bonds are then stretched in proportion, and turn and change branch at
-//! once, so that it comes back as two do.
-use super::cases::{Case, Measure};
+//! A swing is one way out and back; the bonds have no stiffness on the other side, so the spheres then move freely. It is the swing of two
+//! spheres, or of a chain in its slowest mode: all its bonds are then stretched in proportion, and turn and change branch at the same
+//! time, so that it comes back as two spheres do.
+use super::case::{Case, Measure};
 use crate::study::bond::{Bond, LAMBDA, MODES};
+use crate::study::row::{Tied, Way};
 use crate::study::shot::Shot;
-use crate::study::tied::{whole, Tied, Way};
+use crate::study::tied::whole;
 use granlaw::law::Gap;
 use std::f64::consts::PI;
 
@@ -14,20 +15,20 @@ const SHOT: Shot = Shot::head_on(0.005, 2500.0, 0.2);
 const GAP: f64 = 1e-3;
 /// Stiffness of first loading in compression \[N/m^2.5\] and tension, and of bending \[N/m³\].
 const K: [f64; 5] = [1e6, 1e8, 0.0, 0.0, 1e8];
-/// Unloading and the line through zero over it.
+/// Stiffness of unloading and of the line through zero, over that of first loading.
 const OVER: [f64; 2] = [2.0, 0.5];
 const STRAIGHT: [f64; 2] = [1.0, 0.5];
-/// Damping of the damped.
+/// Damping ratio of the cases with damping.
 const ETA: f64 = 0.1;
-/// How many swings the vibration is followed for: not a whole number, so that a wrong phase shows.
+/// Number of periods for which the vibration is followed. It is not a whole number, so that an error of the phase shows.
 const SWINGS: f64 = 10.125;
 
-/// How many bonds are evaluated in how many periods or swings.
+/// Number of bonds, times the number of periods for which they are followed.
 pub(super) fn calls(case: &Case) -> f64 {
     case.shot.row().map_or(1.0, |t| (t.beads - 1) as f64 * swings(case))
 }
 
-/// How many periods of its own a row is followed for.
+/// Number of its own periods for which a row is followed.
 pub(super) fn swings(case: &Case) -> f64 {
     if case.measure == Measure::Spin {
         SWINGS
@@ -45,7 +46,7 @@ fn row(beads: usize, way: Way, speed: f64) -> Shot {
     Shot { speed, tied: Some(Tied { beads, gap: GAP, way }), ..SHOT }
 }
 
-/// All of them.
+/// All cases of bonds.
 pub(super) fn cases() -> Vec<Case> {
     let stretched = |beads| row(beads, Way::Along, -SHOT.speed);
     let turning = Shot { slide: SHOT.speed, ..row(2, Way::Bend, 0.0) };
@@ -81,7 +82,7 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// Step \[s\] and number of steps of a row, in about `n` steps per period or swing of it \[s\]. A vibration ends where it should.
+/// Step \[s\] and number of steps of a row, with about `n` steps per `period` \[s\]. A vibration ends exactly after its time.
 pub(super) fn steps(case: &Case, period: f64, n: f64) -> (f64, u64) {
     if case.measure == Measure::Spin {
         let steps = whole(SWINGS * n + 1.0);
@@ -90,7 +91,7 @@ pub(super) fn steps(case: &Case, period: f64, n: f64) -> (f64, u64) {
     (period / n, whole(1.5 * n))
 }
 
-/// What a row gives, by equations of its own, and about how long one period or swing of it lasts \[s\].
+/// The closed form of what is measured of a row, and the approximate duration of one period or swing \[s\].
 pub(super) fn closed_form(case: &Case) -> Option<(f64, f64)> {
     let tied = case.shot.row()?;
     let [i, j] = case.shot.bodies();
@@ -109,14 +110,14 @@ pub(super) fn closed_form(case: &Case) -> Option<(f64, f64)> {
     let duration = PI / slow * (i.mass / (area * K[1])).sqrt();
     let (straight, eta) = (case.matter.value("stiffnessPerUnitAreaKu_fn2")? == K[1], damping(case));
     let [ku, kc] = if straight { STRAIGHT } else { OVER };
-    // The part of the way out at which the line through zero is met, and what comes back of the work that was put in.
+    // The fraction of the way out at which the line through zero is met, and the fraction of the work that comes back.
     let a = if straight { 0.0 } else { (ku - 1.0) / (ku + kc) };
     let back = if case.shot.speed < 0.0 {
         ku * (1.0 - a * a) - 2.0 * (ku - 1.0) * (1.0 - a) - kc * a * a
     } else {
         ku * (1.0 - a.powi(3)) - 1.5 * (ku - 1.0) * (1.0 - a * a) - kc * a.powi(3)
     };
-    // Damping takes its share on the way out and back; only straight bonds are damped here.
+    // Damping takes energy on the way out and back. Only bonds without damage are damped here.
     let back = back * (1.0 - eta) / (1.0 + eta);
     Some((back.sqrt(), duration))
 }

@@ -1,53 +1,9 @@
 //! The cases: impacts of spheres of 1 cm, E = 5 MPa, ν = 0.45, 2500 kg/m³, characteristic velocity 2 m/s.
+use super::case::{Case, Measure};
 use crate::study::matter::Matter;
-use crate::study::shot::{Outcome, Rest, Shot};
+use crate::study::modes::stiffness;
+use crate::study::shot::{Rest, Shot};
 use granlaw::law::Kind;
-
-/// What is measured of a case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// Normal velocity after over before.
-    Restitution,
-    /// Spin of i afterwards.
-    Spin,
-    /// How far it rolls until it rests.
-    Distance,
-}
-
-impl Measure {
-    /// The number.
-    pub fn of(self, o: &Outcome) -> f64 {
-        match self {
-            Measure::Restitution => o.restitution,
-            Measure::Spin => o.spin,
-            Measure::Distance => o.distance,
-        }
-    }
-
-    /// The word for people.
-    pub fn name(self) -> &'static str {
-        match self {
-            Measure::Restitution => "restitution",
-            Measure::Spin => "final spin",
-            Measure::Distance => "distance rolled",
-        }
-    }
-}
-
-/// One kind of impact.
-#[derive(Clone, Debug)]
-pub struct Case {
-    /// Short name, unique.
-    pub name: &'static str,
-    /// One line for people.
-    pub title: &'static str,
-    /// Laws and numbers.
-    pub matter: Matter,
-    /// How the bodies meet.
-    pub shot: Shot,
-    /// What is measured.
-    pub measure: Measure,
-}
 
 fn matter(normal: &'static str, e: f64) -> Matter {
     let values = vec![
@@ -74,15 +30,15 @@ fn oblique(name: &'static str, title: &'static str, e: f64, mu: f64, slide: f64)
     Case { shot, measure: Measure::Spin, ..case }
 }
 
-/// A sphere that rolls to rest under cdt with μr = 0.1; it is followed for half as long again as the closed form
-/// 7v/(5 μr g) has it roll.
+/// A sphere that rolls to rest under cdt with μr = 0.1. It is followed for 1.5 times the time that it rolls by the closed form,
+/// 7v/(5 μr g).
 fn rolling() -> Case {
     let mut matter =
         matter("hooke", 0.5).with("coefficientFriction", 0.5).with("coefficientRollingFriction", 0.1);
     matter.laws.push((Kind::Rolling, "cdt"));
     let (gravity, v) = (9.81, 0.05);
     let shot = Shot { wall: true, slide: v, ..Shot::head_on(0.005, 2500.0, 0.0) };
-    let sunk = shot.meff() * gravity / super::truth::stiffness(&matter, &shot);
+    let sunk = shot.meff() * gravity / stiffness(&matter, &shot);
     let rest = Some(Rest { gravity, sunk, time: 1.5 * 7.0 * v / (5.0 * 0.1 * gravity), rolls: true });
     let title = "hooke + history + cdt, rolls to rest";
     Case { name: "rolling", title, matter, shot: Shot { rest, ..shot }, measure: Measure::Distance }

@@ -1,8 +1,8 @@
-//! Orders that the methods claim.
-use super::cases::Case;
+//! The orders of convergence that are claimed of the methods.
+use super::case::Case;
 use super::methods::Method;
 
-/// By which power of the step the error of a method falls.
+/// The power of the step with which the error of a method falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Claim {
     /// The case.
@@ -11,14 +11,14 @@ pub struct Claim {
     pub method: Method,
     /// The order.
     pub order: f64,
-    /// From how many steps per contact on it shows.
+    /// The number of steps per contact from which on it holds.
     pub from: f64,
 }
 
-/// How far an observed order may be from the one claimed.
+/// The largest allowed difference between an observed order and the one claimed.
 pub const WITHIN: f64 = 0.2;
 
-/// All claims. Where a law's own jumps or the phases of its kinks decide, none is made.
+/// All claims. There is none where the error depends on jumps of a law or on where its kinks lie within a step.
 pub fn claims() -> Vec<Claim> {
     let mut all = Vec::new();
     let mut claim = |case, method, order, from| all.push(Claim { case, method, order, from });
@@ -31,9 +31,9 @@ pub fn claims() -> Vec<Claim> {
             claim(case, timed, 2.0, 100.0);
         }
         claim("damped-0.9", plain, 1.0, 100.0);
-        // Two thirds of the error at 100 steps are of third order.
+        // At 100 steps two thirds of the error are still of third order.
         claim("damped-0.9", timed, 2.0, 400.0);
-        // Slip begins within the first steps of coarser ones.
+        // With coarser steps slip begins within the first few steps.
         claim("slip", timed, 2.0, 1600.0);
         claim("stick-slip-td-off", plain, 1.0, 100.0);
         claim("stick-slip-td-off", timed, 2.0, 100.0);
@@ -52,10 +52,10 @@ pub fn claims() -> Vec<Claim> {
 }
 
 impl Claim {
-    /// Whether an observed order is as claimed, and if not what to say.
+    /// Checks an observed order.
     ///
     /// # Errors
-    /// If it is not.
+    /// If it is not as claimed, with a message.
     pub fn check(&self, observed: Option<f64>) -> Result<f64, String> {
         let Claim { case, method, order, .. } = *self;
         match observed {

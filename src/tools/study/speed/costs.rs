@@ -1,4 +1,4 @@
-//! What a computation costs: medians of repeated timings, with their quartiles.
+//! The cost of a computation: medians of repeated timings, with their quartiles.
 use crate::report::page::Spread;
 use std::time::Instant;
 
@@ -17,7 +17,7 @@ pub fn quartiles(mut numbers: Vec<f64>) -> Spread {
     Spread { at: at(0.5), low: at(0.25), high: at(0.75) }
 }
 
-/// Time of `work` divided by `units`, over `rounds` rounds; the first of one more, which warms up, is not counted.
+/// Time of `work` divided by `units`, over `rounds` rounds. One more round before them, to warm up, is not counted.
 pub fn time(rounds: usize, units: f64, mut work: impl FnMut()) -> Cost {
     let one = |_| {
         let begun = Instant::now();

@@ -1,5 +1,5 @@
 //! Error and cost of a method over its step.
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use super::costs::{self, Cost};
 use super::methods::{Method, Runner};
 use super::truth::Truth;
@@ -14,17 +14,17 @@ pub const STEPS: [f64; 10] = [12.0, 25.0, 50.0, 100.0, 200.0, 400.0, 800.0, 1600
 pub struct Curve {
     /// The method.
     pub method: Method,
-    /// From few steps to many.
+    /// The points, from few steps to many.
     pub points: Vec<Point>,
 }
 
 /// A method on a case with one step.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Steps per contact; of the adaptive method, one over its tolerance.
+    /// Steps per contact; for the adaptive method, one over its tolerance.
     pub n: f64,
-    /// Relative error of what the case measures: mean over the phases of first touch, with the tenth and the ninetieth
-    /// of a hundred.
+    /// Relative error of what the case measures: the mean over the phases of first touch, with the tenth and ninetieth
+    /// percentile.
     pub error: Spread,
     /// Mean relative errors of restitution, peak force, duration and spin, and of the force history in the mean square;
     /// NaN where the method does not give the quantity or the truth is zero.
@@ -33,16 +33,17 @@ pub struct Point {
     pub cost: Cost,
 }
 
-/// The words for [`Point::errors`].
+/// The names of [`Point::errors`].
 pub const ERRORS: [&str; 5] =
     ["restitution", "peak force", "contact time", "final spin", "force history (L2)"];
 
-/// Whether a case is done in such short steps: what rolls takes hundreds of periods and gains nothing by it.
+/// Whether a case is run with this many steps. A rolling sphere takes hundreds of periods, and very short steps show nothing new.
 pub fn worth(case: &Case, n: f64) -> bool {
     case.shot.rest.is_none() || n <= 1600.0
 }
 
-/// Phases of first touch within a step, as evenly spread as the ends of the contacts are: by golden fractions.
+/// Phases of first touch within a step. They are multiples of the golden section, so that they and the ends of the contacts spread
+/// evenly.
 pub fn phases(count: usize) -> impl Iterator<Item = (f64, f64)> {
     (0..count).map(move |k| {
         let more = (k as f64 * 0.618_033_988_749_895).fract();
@@ -50,27 +51,27 @@ pub fn phases(count: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// The curve of a method that runs here; `None` where it does not do the case.
+/// The curve of a method that does not run in LIGGGHTS; `None` if it cannot do the case.
 pub fn ours(method: Method, case: &Case, truth: &Truth, count: usize, rounds: usize) -> Option<Curve> {
     let mut runner = Runner::new(method, case, truth)?;
     let aims: Vec<f64> = match method {
         Method::Adaptive => (4..=10).map(|p| 10f64.powi(p)).collect(),
         _ => STEPS.into_iter().filter(|n| worth(case, *n)).collect(),
     };
-    // The first touch of these is met exactly, so that there are no phases.
+    // These methods begin exactly at first touch, so there are no phases.
     let once = matches!(method, Method::Adaptive | Method::Located);
-    // What rolls has no first touch, only steps of one length or another.
+    // A rolling sphere has no first touch, so the length of the step is varied instead.
     let count = match () {
         _ if once => 1,
         _ if case.shot.rest.is_some() => 4,
-        // One that ends where it should has no phases at all.
+        // A case that ends exactly after a given time has no phases at all.
         _ if case.shot.row().is_some() && case.measure == Measure::Spin => 1,
         _ => count,
     };
     let points = aims.into_iter().map(|n| {
         let outcomes: Vec<Outcome> =
             phases(count).map(|(before, more)| runner.run(at(n, more, once), before, true)).collect();
-        // Short contacts are repeated, of long ones a part is timed.
+        // Short contacts are repeated; of long ones only a part is timed.
         let timed = (20_000.0 / n).clamp(1.0, 200.0) as usize;
         let cost = costs::time(rounds, timed as f64, || {
             phases(timed).for_each(|(before, more)| {
@@ -82,7 +83,7 @@ pub fn ours(method: Method, case: &Case, truth: &Truth, count: usize, rounds: us
     Some(Curve { method, points: points.collect() })
 }
 
-/// Steps per contact of a phase.
+/// Steps per contact for a phase.
 fn at(n: f64, more: f64, once: bool) -> f64 {
     if once {
         n
@@ -91,13 +92,13 @@ fn at(n: f64, more: f64, once: bool) -> f64 {
     }
 }
 
-/// A point from what the phases gave.
+/// A point from the outcomes of all phases.
 pub fn judge(case: &Case, truth: &Truth, n: f64, outcomes: &[Outcome], cost: Cost) -> Point {
     let relative = |got: f64, expected: f64| ((got - expected) / expected).abs();
     let mean = |f: &dyn Fn(&Outcome) -> f64| outcomes.iter().map(f).sum::<f64>() / outcomes.len() as f64;
     let t = &truth.outcome;
     let given = |x: f64| if x == 0.0 { f64::NAN } else { x };
-    // What has rolled to rest has no spin left that an error could be relative to.
+    // After rolling to rest there is no spin to which an error could be relative.
     let spin = if case.measure == Measure::Distance { 0.0 } else { t.spin };
     let errors = [
         mean(&|o| relative(o.restitution, if case.shot.slide == 0.0 { truth.value } else { t.restitution })),
@@ -113,7 +114,7 @@ pub fn judge(case: &Case, truth: &Truth, n: f64, outcomes: &[Outcome], cost: Cos
     Point { n, error, errors, cost }
 }
 
-/// Root of the mean square of the force error over that of the force.
+/// The root mean square of the force error over that of the force.
 fn history(truth: &Truth, o: &Outcome) -> f64 {
     let f = &o.force;
     if f.len() < 2 {
@@ -130,8 +131,8 @@ fn history(truth: &Truth, o: &Outcome) -> f64 {
 }
 
 impl Curve {
-    /// The power of the step by which the error falls, fitted from so many steps per contact to where round-off and the
-    /// error of the truth set a floor; `None` with fewer than three such points.
+    /// The power of the step with which the error falls: a fit from this number of steps per contact to where round-off and the error of
+    /// the truth dominate; `None` with fewer than three points.
     pub fn order(&self, from: f64, floor: f64) -> Option<f64> {
         let clean = |p: &&Point| p.n >= from && p.error.at < 2e-2 && p.error.at > 5.0 * floor;
         let points: Vec<_> = self.points.iter().filter(clean).map(|p| (p.n.ln(), p.error.at.ln())).collect();
@@ -145,10 +146,10 @@ impl Curve {
         Some(-xy / xx)
     }
 
-    /// What an error takes: between two points, on a straight line in logarithms.
+    /// The steps and time that an error takes; between two points, logarithms are interpolated linearly.
     pub fn reach(&self, target: f64) -> Option<Reach> {
         let good = |p: &Point| p.error.at <= target;
-        // From where on it stays below.
+        // The last point above the error counts: from there on it stays below.
         let k = self.points.iter().rposition(|p| !good(p)).map_or(0, |k| k + 1);
         let there = self.points.get(k)?;
         let Some(before) = k.checked_sub(1).map(|k| &self.points[k]) else {
@@ -160,7 +161,7 @@ impl Curve {
     }
 }
 
-/// What an error takes.
+/// The steps and time that an error takes.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     /// Steps per contact; of the adaptive method, one over its tolerance.

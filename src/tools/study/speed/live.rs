@@ -1,10 +1,10 @@
-//! The same shots in LIGGGHTS, and what a contact costs there in a bed of many.
+//! Runs the same shots in LIGGGHTS, and measures the cost of a contact there, in a bed of many.
 use super::bonds::{calls, steps};
-use super::cases::{Case, Measure};
-use super::costs::{quartiles, Cost};
+use super::case::{Case, Measure};
+use super::costs::quartiles;
 use super::curves::{judge, phases, worth, Curve, STEPS};
+use super::found::{Found, PerStep, Study};
 use super::methods::{Method, Runner};
-use super::{Found, Study};
 use crate::report::page::Spread;
 use crate::study::live::{Bench, LiveError, Who};
 use crate::study::matter::{Matter, Names};
@@ -12,21 +12,10 @@ use crate::study::shot::Outcome;
 use granlaw::law::Kind;
 use rayon::prelude::*;
 
-/// What one evaluation of a contact costs in LIGGGHTS.
-#[derive(Clone, Debug)]
-pub struct PerStep {
-    /// The normal law.
-    pub law: &'static str,
-    /// Who computes it.
-    pub method: Method,
-    /// LIGGGHTS's Pair time per contact and step \[s\].
-    pub cost: Cost,
-}
-
 const METHODS: [(Method, Who); 3] =
     [(Method::Stock, Who::Stock), (Method::Plugin, Who::TakenOver), (Method::PluginTimed, Who::Own)];
 
-/// Who can compute it; of laws that LIGGGHTS lacks, our own laws alone, without the settings that they do not have.
+/// The methods that can run these laws. Laws that LIGGGHTS lacks run on our own alone, and without settings that they do not have.
 fn ways(matter: &Matter) -> impl Iterator<Item = (Method, Who)> {
     let lacks = matter.needs_ours();
     let all = METHODS.into_iter().filter(move |(m, _)| !lacks || *m == Method::Plugin);
@@ -100,14 +89,14 @@ fn curve(
     let each = per_step.iter().find(|p| p.law == law && p.method == method).map(|p| p.cost);
     let (mut points, mut apart) = (Vec::new(), 0.0f64);
     for n in few.iter().filter(|n| worth(case, **n)) {
-        // One step for all phases: LIGGGHTS has one clock. The ends are spread by the phases of first touch alone, so
-        // the step itself is moved off whole numbers of steps per contact.
+        // All phases are in one run of LIGGGHTS, and so have the same step. As only the phases of first touch spread the ends of the
+        // contacts, the step is chosen so that a contact is not a whole number of steps.
         let n = n + 0.37;
         let dt = duration / n;
         let count = if case.shot.rest.is_some() { 1 } else { count };
         let mut outcomes = Vec::new();
         if case.shot.row().is_some() {
-            // A bond begins with a step, so that only its end has phases.
+            // A bond begins at a step, so only the end of its swing has phases.
             let ends = if case.measure == Measure::Spin { 1 } else { ENDS };
             for (_, more) in phases(ends) {
                 let o = bench
@@ -118,7 +107,7 @@ fn curve(
             }
         } else {
             let before: Vec<f64> = phases(count).map(|(before, _)| before).collect();
-            // Three contact times beyond the last first touch; a contact that is not over then counts as it stands.
+            // The run goes on for three contact times after the last first touch; a contact that is not over by then is taken as it is.
             let steps = case.shot.rest.map_or(3.0 * n, |r| r.time / dt) as u64;
             outcomes = bench.shoot(&matter, &[case.shot], who, (dt, steps), &before)?;
             for (o, b) in outcomes.iter().zip(&before) {
@@ -140,7 +129,7 @@ fn difference(case: &Case, a: &Outcome, b: &Outcome) -> f64 {
     (case.measure.of(a) - case.measure.of(b)).abs() / case.measure.of(b).abs()
 }
 
-/// Pair time per contact and step of every normal law, each way.
+/// Pair time per contact and step of every normal law, with each method.
 fn costs(bench: &Bench, study: &mut Study) -> Vec<PerStep> {
     let mut matters: Vec<(&'static str, Matter)> = Vec::new();
     for found in &study.found {
@@ -187,7 +176,7 @@ fn bed(bench: &Bench, matter: &Matter, who: Who) -> Result<Vec<f64>, LiveError> 
     let (folder, _) = bench.start(&text, who)?;
     let path = folder.path().join("log.liggghts");
     let log = std::fs::read_to_string(&path).map_err(|source| LiveError::Io { path, source })?;
-    // `Pair  time (%) = 0.0123 (97.5)`; the first block warms up.
+    // Lines like `Pair  time (%) = 0.0123 (97.5)`; the first block only warms up.
     let seconds = log
         .lines()
         .filter_map(|l| l.strip_prefix("Pair  time (%) = ")?.split_whitespace().next()?.parse().ok());

@@ -1,6 +1,6 @@
-//! The methods: how a contact is integrated.
+//! The methods by which a contact is integrated.
 use super::bonds;
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use super::truth::Truth;
 use crate::study::matter::Matter;
 use crate::study::shot::{Follow, Outcome};
@@ -9,7 +9,7 @@ use crate::study::{adaptive, located, single};
 use granlaw::chain::Chain;
 use granlaw::pair::run_while;
 
-/// How a contact is integrated, and where.
+/// A method of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Method {
     /// LIGGGHTS with its own laws.
@@ -18,7 +18,7 @@ pub enum Method {
     Plugin,
     /// LIGGGHTS with our laws and both settings on.
     PluginTimed,
-    /// LIGGGHTS's scheme here.
+    /// LIGGGHTS's scheme, in our own code.
     Verlet,
     /// The same with both settings on.
     VerletTimed,
@@ -30,7 +30,7 @@ pub enum Method {
     Adaptive,
 }
 
-/// Those that need no LIGGGHTS.
+/// The methods that do not need LIGGGHTS.
 pub const OURS: [Method; 5] =
     [Method::Verlet, Method::VerletTimed, Method::Single, Method::Located, Method::Adaptive];
 
@@ -54,7 +54,7 @@ impl Method {
         matches!(self, Method::Stock | Method::Plugin | Method::PluginTimed)
     }
 
-    /// The laws as this method wants them.
+    /// The laws with the settings of this method.
     pub fn matter(self, case: &Case) -> Matter {
         match self {
             Method::PluginTimed | Method::VerletTimed => case.matter.clone().timed(),
@@ -63,7 +63,7 @@ impl Method {
     }
 }
 
-/// A method that is ready to run a case again and again.
+/// A method that is prepared to run a case many times.
 pub struct Runner<'a> {
     method: Method,
     case: &'a Case,
@@ -73,7 +73,7 @@ pub struct Runner<'a> {
 }
 
 impl<'a> Runner<'a> {
-    /// Prepared; `None` where the method does not do the case.
+    /// Prepares a method; `None` if it cannot do the case.
     pub fn new(method: Method, case: &'a Case, truth: &Truth) -> Option<Runner<'a>> {
         let matter = method.matter(case);
         let chain = matter.chain().ok()?;
@@ -91,8 +91,8 @@ impl<'a> Runner<'a> {
         works.then_some(Runner { method, case, matter, chain, duration })
     }
 
-    /// One contact in about `n` steps, first touch `before` steps after the start; with the force history if asked for.
-    /// The adaptive method takes `n` for the inverse of its tolerance.
+    /// Runs one contact in about `n` steps, with first touch `before` steps after the start, and with the force history if asked for.
+    /// For the adaptive method `n` is the inverse of its tolerance.
     pub fn run(&mut self, n: f64, before: f64, with_force: bool) -> Outcome {
         let (shot, h) = (&self.case.shot, self.duration / n);
         match self.method {
@@ -110,7 +110,7 @@ impl<'a> Runner<'a> {
                 adaptive::impact(&mut self.chain, shot, &aim).0
             }
             _ => {
-                // Twenty times as long as it should take: what still sticks then counts as stuck.
+                // Bodies that still touch after twenty times the expected duration count as stuck.
                 let steps = shot.rest.map_or(20.0 * n, |r| r.time / h);
                 let start = shot.start(h, before, steps as u64);
                 let mut follow = Follow::new(shot, &start, before, with_force);

@@ -1,50 +1,29 @@
 //! Speed against accuracy: every method on every case, its error against the truth and its cost.
 mod bonds;
+mod case;
 mod cases;
 mod claims;
 mod costs;
 mod curves;
+mod found;
 mod live;
 mod methods;
 mod page;
 mod truth;
 
-pub use cases::{cases, Case, Measure};
+pub use case::{Case, Measure};
+pub use cases::cases;
 pub use claims::{claims, Claim};
 pub use costs::{time, Cost};
 pub use curves::{ours as curve, Curve, Point, Reach};
+pub use found::{Found, PerStep, Study};
 pub use methods::Method;
-pub use truth::{stiffness, Truth};
+pub use truth::Truth;
 
 use super::Options;
 use crate::report::page::Page;
 
-/// What was found for one case.
-#[derive(Debug)]
-pub struct Found {
-    /// The case.
-    pub case: Case,
-    /// What it is held against.
-    pub truth: Truth,
-    /// One curve per method.
-    pub curves: Vec<Curve>,
-}
-
-/// The whole study.
-#[derive(Debug)]
-pub struct Study {
-    /// Case by case.
-    pub found: Vec<Found>,
-    /// Cost of a contact in one step inside LIGGGHTS \[s\], by case and who computes it.
-    pub per_step: Vec<live::PerStep>,
-    /// The largest difference between LIGGGHTS and our own integration of the same shots, relative to what was measured;
-    /// `None` without LIGGGHTS.
-    pub apart: Option<f64>,
-    /// What LIGGGHTS could not do.
-    pub trouble: Vec<String>,
-}
-
-/// Do it; `done` hears of every case.
+/// Runs the study; `done` is called with each part that is finished.
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     let (phases, rounds) = if options.full { (128, 9) } else { (48, 5) };
     let mut found = Vec::new();

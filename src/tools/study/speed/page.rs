@@ -1,13 +1,14 @@
 //! The study as a document: charts, tables, checks.
 use super::claims::{claims, Claim, WITHIN};
 use super::curves::{Curve, Reach, ERRORS};
+use super::found::{Found, Study};
 use super::methods::Method;
-use super::{Found, Options, Study};
+use super::Options;
 use crate::report::page::{Cell, Chart, Item, Mark, Page, Section, Table, Trend};
 use crate::report::{Check, Outcome, Shows, Tolerance, Worst};
 use crate::study::about;
 
-/// Errors that people ask for.
+/// The errors for which tables and checks are made.
 const TARGETS: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
 pub(super) fn page(study: &Study, options: &Options) -> Page {
@@ -83,7 +84,7 @@ fn reaching(study: &Study, target: f64) -> Table {
         }
         let here = |ways: &[Method]| ways.iter().find_map(|m| curve(f, *m));
         let reach = |c: Option<&Curve>| c.and_then(|c| c.reach(target));
-        // Laws without the settings have no such column.
+        // Laws that lack the settings have no such column.
         let cell = |c: Option<&Curve>| match (c, reach(c)) {
             (None, _) => "–".into(),
             (Some(_), None) => "not reached".into(),
@@ -106,7 +107,7 @@ fn reaching(study: &Study, target: f64) -> Table {
     }
 }
 
-/// How much longer a step the settings allow.
+/// How many times as long a step the settings allow.
 fn longer(plain: Reach, timed: Reach) -> Cell {
     match (plain.at_most, timed.at_most) {
         (true, _) => "".into(),
@@ -167,7 +168,7 @@ fn trend(found: &Found, curve: &Curve) -> Trend {
     Trend { name: curve.method.name().into(), note, joined: curve.points.len() > 1, look, marks }
 }
 
-/// Below this an error says nothing of the method.
+/// Below this an error does not depend on the method.
 fn floor(found: &Found) -> f64 {
     found.truth.error.max(1e-13)
 }
@@ -257,7 +258,7 @@ fn worst(what: &str, got: f64, expected: f64, error: f64, norm: &str) -> Worst {
     Worst { step: 0, what: what.into(), got, expected, error, norm: norm.into() }
 }
 
-/// Observed orders against those claimed.
+/// Checks observed orders against those claimed.
 fn orders(study: &Study) -> Check {
     let (mut wrong, mut seen, mut furthest) =
         (Vec::new(), 0, worst("", 0.0, 0.0, 0.0, "difference of orders"));
@@ -286,7 +287,7 @@ fn orders(study: &Study) -> Check {
     check("orders", outcome, WITHIN, &reason, furthest)
 }
 
-/// The best method against LIGGGHTS's scheme: at most a tenth of the steps for 1e-4.
+/// Checks that the best method takes at most a tenth of the steps of LIGGGHTS's scheme for an error of 1e-4.
 fn best(found: &Found) -> Check {
     let steps = |m: Method| curve(found, m).and_then(|c| c.reach(1e-4)).map_or(f64::INFINITY, |r| r.n);
     let stock = steps(Method::Verlet);
@@ -298,7 +299,7 @@ fn best(found: &Found) -> Check {
     share(&format!("best method, {}", found.case.name), m, n, stock, 0.1)
 }
 
-/// The settings inside LIGGGHTS: at most a fifth.
+/// Checks that inside LIGGGHTS the settings reduce the steps to at most a fifth.
 fn inside(found: &Found) -> Check {
     let steps = |m: Method| curve(found, m).and_then(|c| c.reach(1e-4)).map_or(f64::INFINITY, |r| r.n);
     share(
@@ -321,7 +322,7 @@ fn share(name: &str, method: Method, n: f64, stock: f64, limit: f64) -> Check {
     check(name, outcome, limit, reason, worst(method.name(), n, stock, share, "share of the steps"))
 }
 
-/// LIGGGHTS on the Rust laws against LIGGGHTS on its own: every mean error the same number.
+/// Checks that LIGGGHTS on the Rust laws and LIGGGHTS on its own have exactly the same mean errors.
 fn bits(study: &Study) -> Check {
     let errors = |f: &Found, m| curve(f, m).map(|c| c.points.iter().map(|p| p.error).collect::<Vec<_>>());
     let has = |f: &&Found| errors(f, Method::Stock).is_some();
@@ -338,7 +339,7 @@ fn bits(study: &Study) -> Check {
     Check { shows: Shows::Boundary, ..check("Rust laws in place of LIGGGHTS's", outcome, 0.0, reason, seen) }
 }
 
-/// LIGGGHTS against our own integration of the same shots.
+/// Checks LIGGGHTS against our own integration of the same shots.
 fn same(apart: f64) -> Check {
     let limit = 1e-6;
     let outcome = match apart <= limit {

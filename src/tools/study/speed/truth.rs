@@ -1,16 +1,15 @@
-//! What a case is held against: a closed form where there is one, a converged solution elsewhere.
+//! The reference of a case: a closed form where there is one, a converged solution elsewhere.
 use super::bonds;
-use super::cases::{Case, Measure};
+use super::case::{Case, Measure};
 use crate::study::adaptive::{impact, Aim};
-use crate::study::matter::Matter;
-use crate::study::modes::loading;
-use crate::study::shot::{Outcome, Shot};
+use crate::study::modes::stiffness;
+use crate::study::shot::Outcome;
 use crate::study::tied::{run as run_row, whole, Look};
 use granlaw::law::Kind;
 use granlaw::pair::run;
 use std::f64::consts::PI;
 
-/// The answer, and how wrong it may be itself.
+/// The reference, and how wrong it may be itself.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// The converged solution, with its force history.
@@ -19,18 +18,18 @@ pub struct Truth {
     pub value: f64,
     /// Where it comes from.
     pub source: &'static str,
-    /// Its own relative error: of a closed form, what separates the converged solution from it; else what separates that
-    /// from one with ten times the tolerance.
+    /// Its own relative error: for a closed form, the difference of the converged solution from it; otherwise the difference between
+    /// that and a solution with ten times the tolerance.
     pub error: f64,
 }
 
-/// Relative tolerance per step of the converged solutions: beyond it, round-off of the extrapolation weights grows.
+/// Relative tolerance per step of the converged solutions. With a smaller one, round-off of the extrapolation weights dominates.
 const TOLERANCE: f64 = 1e-11;
-/// Steps per period of the normal spring of the converged rolling.
+/// Steps per period of the normal spring, for the converged solutions in fixed steps.
 const FINE: f64 = 20_000.0;
 
 impl Truth {
-    /// Of a case.
+    /// The reference of a case.
     ///
     /// # Panics
     /// If the laws refuse the case, which is a bug of it.
@@ -48,7 +47,7 @@ impl Truth {
         let duration = solve(1e-4, period(case), 0.1, false).duration;
         let (fine, other) =
             (solve(TOLERANCE, duration, 0.01, false), solve(10.0 * TOLERANCE, duration, 0.02, false));
-        // Short steps, so that forces in between can be read off straight lines.
+        // Short steps, so that forces in between can be interpolated linearly.
         let dense = solve(1e-9, duration, 1.0 / 4000.0, true);
         let outcome = Outcome { force: dense.force, peak: dense.peak, ..fine.clone() };
         let measured = case.measure.of(&fine);
@@ -76,8 +75,8 @@ impl Truth {
     }
 }
 
-/// Bonds have closed forms; what separates them from our own solution is not of the closed form, but all that can be said of it. Two are
-/// solved adaptively, what has no first and last touch in fine steps.
+/// The reference of a row of bonds, which has a closed form. Its error is taken to be the difference from our own solution, which is an
+/// upper bound. Single swings of two spheres are solved adaptively, all others in fine fixed steps.
 fn bonded(case: &Case, value: f64, period: f64) -> Truth {
     let tied = case.shot.row().expect("a row");
     let mut chain = case.matter.chain().expect("a sound case");
@@ -103,7 +102,7 @@ fn bonded(case: &Case, value: f64, period: f64) -> Truth {
     Truth { outcome: fine, value, source: "closed form", error: ((best - value) / value).abs() }
 }
 
-/// Rolling to rest: LIGGGHTS's scheme in fine steps.
+/// The reference for rolling to rest: LIGGGHTS's scheme in fine steps.
 fn rolled(case: &Case) -> Truth {
     let roll = |n: f64| {
         let mut chain = case.matter.clone().timed().chain().expect("a sound case");
@@ -125,12 +124,7 @@ pub fn period(case: &Case) -> f64 {
     PI * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt()
 }
 
-/// Loading stiffness \[N/m\] at an overlap of a hundredth of the radius.
-pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
-    loading(&mut matter.chain().expect("a sound case"), shot)
-}
-
-/// The restitution by equations of their own, where there are such.
+/// The closed form of the restitution, if there is one.
 fn closed_form(case: &Case) -> Option<f64> {
     let value = |name| case.matter.value(name).expect("a value of the case");
     if case.measure != Measure::Restitution {

@@ -1,25 +1,25 @@
 //! The fields of bonds: spheres of 1 mm in a row, or one on a wall, with a gap that the bonds act across.
-use super::fields::{values, Plan};
+use super::plan::{values, Plan};
 use super::row::{Row, Scene};
 use crate::study::bond::{Bond, MODES};
 use crate::study::matter::Matter;
-use crate::study::shot::{Rest, Shot};
-use crate::study::tied::{beads, Tied, Way};
+use crate::study::row::{Tied, Way};
+use crate::study::shot::{beads, Rest, Shot};
 use granlaw::critical::Mode;
 use granlaw::law::{Gap, Size, Swing};
 
 const SHOT: Shot = Shot::head_on(5e-4, 2500.0, 0.1);
-/// Between surfaces where bonds begin \[m\]; no swing of these fields closes it.
+/// Gap between surfaces when bonds begin \[m\]; no swing of these fields closes it.
 const GAP: f64 = 1e-4;
-/// Steps that bonds which unload otherwise than they load are followed for.
+/// Number of steps for which bonds with damage are followed.
 const LONG: u64 = 3072;
-/// The same of straight ones, whose energy beyond their limit soon is no finite number.
+/// The same for bonds without damage, whose energy soon overflows beyond the critical step.
 const SHORT: u64 = 256;
-/// What unloading and the line through zero are over the stiffness of first loading, unless a field says otherwise.
+/// Stiffness of unloading and of the line through zero, over that of first loading, unless a field has its own.
 const UNLOADING: f64 = 2.0;
 const HEALING: f64 = 0.5;
 
-/// A bond that unloads `ku` times as stiff as it loads, with these modes only and damping of `eta`.
+/// A bond with these modes only, which is `ku` times as stiff in unloading as in loading, with a damping ratio of `eta`.
 fn bond(ku: f64, eta: f64, modes: &[&'static str]) -> Matter {
     let k = [4e7, 1e10, 4e9, 4e9, 1e10];
     Bond { radius: SHOT.radius, gap: GAP, k, over: [ku, HEALING], eta, modes }.matter()
@@ -31,13 +31,13 @@ fn row(beads: usize, way: Way) -> Shot {
     Shot { slide: 1e-4, tied: Some(Tied { beads, gap: GAP, way }), ..SHOT }
 }
 
-/// A row swings as fast along itself, or in its only mode, as this many times the ω² of two bodies: of a chain of straight
-/// springs, alike and free at its ends, `2 cos²(π/2N)`.
+/// Largest ω² of a row along itself, or in its only mode, over that of two bodies: `2 cos²(π/2N)` for a chain of equal linear springs with
+/// free ends.
 fn chained(beads: usize) -> f64 {
     2.0 * (std::f64::consts::PI / (2 * beads) as f64).cos().powi(2)
 }
 
-/// The modes of two of a row's spheres, blows at `speed` \[m/s\].
+/// The modes of two spheres of a row that meet at `speed` \[m/s\].
 fn swings(matter: &Matter, shot: &Shot, speed: f64) -> Vec<Swing> {
     let all = beads(shot, &shot.tied.expect("a row"));
     let (i, j) = (&all[0], &all[1]);
@@ -46,7 +46,7 @@ fn swings(matter: &Matter, shot: &Shot, speed: f64) -> Vec<Swing> {
     matter.chain().expect("a sound bond").swings((0, 0), &size, speed)
 }
 
-/// A row measured by one of its modes; theory by the fastest, and by how many hang together.
+/// A row of a field. Steps are in units of the mode called `by`; theory uses the fastest mode and the length of the chain.
 fn bonded(param: f64, matter: Matter, shots: Vec<Shot>, by: &str, steps: u64) -> Row {
     let speed = shots.iter().map(|s| s.speed).fold(f64::INFINITY, f64::min);
     let tied = shots[0].tied.expect("a row");
@@ -59,19 +59,19 @@ fn bonded(param: f64, matter: Matter, shots: Vec<Shot>, by: &str, steps: u64) ->
     Row::bonded(param, matter, shots, Scene::Bonded(steps), modes)
 }
 
-/// Blows of `n` speeds about `speed`, so that δ = 0 is passed at many places of a step.
+/// Shots at `n` speeds about `speed`, so that δ = 0 is passed at many moments within a step.
 fn blows(n: usize, speed: f64, beads: usize, way: impl Fn(usize) -> Way) -> Vec<Shot> {
     let one = |k: usize| Shot { speed: speed * (0.5 + k as f64 / n as f64), ..row(beads, way(k)) };
     (0..n).map(one).collect()
 }
 
-/// A sphere that hangs on a wall by a straight bond and comes to rest.
+/// A sphere that hangs on a wall by a bond without damage and comes to rest.
 fn hanging(eta: f64, smooth: bool) -> Row {
     let straight =
         bond(1.0, eta, &["tensionStress"]).set("dampingBondSmooth", if smooth { "on" } else { "off" });
     // Bonds of a wall are as long as those of a pair of the same size.
     let shot = Shot { wall: true, speed: 0.0, ..row(2, Way::Along) };
-    // LIGGGHTS looks no further from a wall than the skin of its lists.
+    // LIGGGHTS finds no contacts further from a wall than the skin of its neighbour lists.
     let straight = straight.with("maxDistanceBondnonlinear", 2.0 * SHOT.radius + 1.5 * GAP);
     let shot = Shot { tied: Some(Tied { gap: 0.5 * GAP, beads: 2, way: Way::Along }), ..shot };
     let (m, gravity) = (shot.meff(), 1e3);

@@ -1,20 +1,20 @@
-//! What is found at one step and one parameter, over many phases of first touch and a few speeds.
+//! The outcome at one step and one parameter, over many phases of first touch and a few speeds.
 use crate::study::shot::Outcome;
 
-/// The outcome of a cell, from good to bad.
+/// The class of a cell, from good to bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
-    /// The measured quantity is off by less than 1 %; of a speed that should be zero, 1e-4 is left.
+    /// The error of the measured quantity is below 1 %; of a speed that should become zero, less than 1e-4 is left.
     Fine,
-    /// By less than 10 %; 1 % is left.
+    /// The error is below 10 %, or less than 1 % is left.
     Rough,
-    /// By more.
+    /// The error is larger.
     Wrong,
-    /// Energy comes from nothing where LIGGGHTS's own check would have warned.
+    /// Energy comes from nothing, and LIGGGHTS's own check would have warned.
     Creates,
     /// Energy comes from nothing and LIGGGHTS's own check is silent.
     CreatesSilently,
-    /// More than a hundred times the energy, or no number at all.
+    /// The energy grows more than a hundredfold, or is not finite.
     BlowsUp,
 }
 
@@ -29,26 +29,26 @@ impl Class {
     }
 }
 
-/// What was found.
+/// The outcome of a cell in numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
     /// Mean error of the measured quantity.
     pub error: f64,
     /// Largest energy afterwards over that before.
     pub energy: f64,
-    /// Share of the contacts that parted where they should stick, or stick where they should part.
+    /// Fraction of the contacts that parted although they should stick, or the other way round.
     pub astray: f64,
-    /// Share of the contacts without any evaluation on the way out; NaN where nobody looked.
+    /// Fraction of the contacts without any evaluation on the way out; NaN where this was not observed.
     pub missed: f64,
     /// Whether all numbers stayed finite.
     pub finite: bool,
 }
 
-/// Energy over that before from which on it counts as created: far more than round-off.
+/// From this ratio of the energy to that before, energy counts as created; it is far above round-off.
 pub const CREATED: f64 = 1.01;
 
 impl Found {
-    /// From the outcomes of all phases, with the error of each and whether it went astray.
+    /// The result from the outcomes of all phases, with the error of each and whether it stuck or parted wrongly.
     pub fn of(outcomes: &[Outcome], judge: impl Fn(usize, &Outcome) -> (f64, bool)) -> Found {
         let n = outcomes.len() as f64;
         let judged: Vec<(f64, bool)> = outcomes.iter().enumerate().map(|(k, o)| judge(k, o)).collect();
@@ -61,8 +61,8 @@ impl Found {
         }
     }
 
-    /// The outcome by two limits of the error and one of the energy; `warned`: LIGGGHTS's own check would have said
-    /// something.
+    /// The class, by two limits of the error and one of the energy; `warned` says whether LIGGGHTS's own check would have
+    /// warned.
     pub fn class(&self, (fine, rough): (f64, f64), created: f64, warned: bool) -> Class {
         match () {
             _ if !self.finite || self.energy > 100.0 || !self.error.is_finite() => Class::BlowsUp,

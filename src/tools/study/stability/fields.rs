@@ -1,32 +1,13 @@
-//! The fields: for each law, a parameter over which its stability changes.
+//! The fields: for each law, the parameters with which its stability changes.
 use super::bonds;
+use super::plan::{values, Build, Field, Plan};
 use super::row::{Row, Scene};
 use crate::study::matter::Matter;
+use crate::study::modes::stiffness;
 use crate::study::shot::{Rest, Shot};
-use crate::study::speed::stiffness;
 use crate::study::Options;
 use granlaw::law::Kind;
-use rayon::prelude::*;
 use std::f64::consts::PI;
-
-/// A field of outcomes: steps across, a parameter up.
-#[derive(Clone, Debug)]
-pub struct Field {
-    /// Short name, unique.
-    pub name: &'static str,
-    /// One line for people.
-    pub title: &'static str,
-    /// The law that it is about.
-    pub law: &'static str,
-    /// The parameter, with its unit.
-    pub label: &'static str,
-    /// Whether its values are spaced in their logarithm.
-    pub log: bool,
-    /// Steps from and to, over the unit of the row.
-    pub range: (f64, f64),
-    /// The rows, from the smallest parameter.
-    pub rows: Vec<Row>,
-}
 
 const SHOT: Shot = Shot::head_on(0.005, 2500.0, 1.0);
 const GRAVITY: f64 = 9.81;
@@ -46,22 +27,16 @@ fn matter(normal: &'static str, tangential: Option<&'static str>, e: f64) -> Mat
     Matter { laws: laws.collect(), values, settings: Vec::new() }
 }
 
-/// A few speeds about the shot's own.
+/// The shot at a few speeds about its own.
 fn about(shot: Shot) -> Vec<Shot> {
     [0.9, 1.0, 1.1].map(|s| Shot { speed: s * shot.speed, slide: s * shot.slide, ..shot }).to_vec()
 }
 
-/// Values from `low` to `high`, evenly spaced or in their logarithm.
-pub(super) fn values(low: f64, high: f64, n: usize, log: bool) -> Vec<f64> {
-    let at = |t: f64| if log { low * (high / low).powf(t) } else { low + (high - low) * t };
-    (0..n).map(|k| at(k as f64 / (n - 1) as f64)).collect()
-}
-
-/// A sphere at rest on the wall, pushed.
+/// A sphere at rest on the wall that is given a small velocity.
 fn at_rest(matter: &Matter, speed: f64, slide: f64) -> Shot {
     let shot = Shot { wall: true, speed: 0.0, ..SHOT };
     let sunk = shot.meff() * GRAVITY / stiffness(matter, &shot);
-    // So slow that it never leaves the wall.
+    // It is so slow that it never leaves the wall.
     let slow = 0.1 * (GRAVITY * sunk).sqrt();
     let rest = Some(Rest { gravity: GRAVITY, sunk, time: 0.0, rolls: false });
     Shot { speed: speed * slow, slide: slide * slow, rest, ..shot }
@@ -73,20 +48,6 @@ fn rolling(matter: &Matter, mu_r: f64) -> Shot {
     let slide = 0.05;
     let time = 1.3 * 7.0 * slide / (5.0 * mu_r * GRAVITY);
     Shot { slide, rest: shot.rest.map(|r| Rest { time, rolls: true, ..r }), ..shot }
-}
-
-pub(super) type Build = Box<dyn Fn(f64) -> Row + Sync>;
-
-/// A field before it is built.
-pub(super) struct Plan {
-    pub name: &'static str,
-    pub title: &'static str,
-    pub law: &'static str,
-    pub label: &'static str,
-    pub log: bool,
-    pub range: (f64, f64),
-    pub values: Vec<f64>,
-    pub build: Build,
 }
 
 fn impact(param: f64, matter: Matter, shot: Shot) -> Row {
@@ -116,14 +77,6 @@ fn plans(full: bool) -> impl Iterator<Item = Plan> {
         .chain(friction(n))
         .chain(rolling_laws(n))
         .chain(bonds::plans(n))
-}
-
-impl Plan {
-    fn build(self) -> Field {
-        let Plan { name, title, law, label, log, range, .. } = self;
-        let rows = self.values.par_iter().map(|v| (self.build)(*v)).collect();
-        Field { name, title, law, label, log, range, rows }
-    }
 }
 
 fn hysteresis(n: usize) -> Vec<Plan> {
@@ -295,7 +248,7 @@ fn rolling_laws(n: usize) -> Vec<Plan> {
         let m = base("cdt_jkr").with("workOfAdhesion", 0.05).with("adhesionHysteresis", eta);
         m.set("cdtJkrConvention", "documented").set("restTorqueLimit", limit)
     };
-    // μr by the law's own equations, for how long it takes to stop.
+    // μr by the law's own equations, as it decides how long the sphere rolls.
     let mu_r = |eta: f64| {
         let e_star = 5e6 / (2.0 * (1.0 - 0.45 * 0.45));
         let a0 = (9.0 * PI * 0.05 * SHOT.radius.powi(2) / (2.0 * e_star)).cbrt();

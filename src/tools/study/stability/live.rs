@@ -1,45 +1,45 @@
-//! Borders in our simulation, and LIGGGHTS asked on both sides of them.
+//! Finds borders in our simulation, and runs LIGGGHTS on both sides of them.
 use super::cell::Class;
-use super::fields::Field;
+use super::plan::Field;
 use super::row::Row;
 use crate::study::live::{Bench, LiveError, Who};
 
-/// A step at a row.
+/// A row and a step at which LIGGGHTS is run.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// Which row.
+    /// Index of the row.
     pub row: usize,
     /// The step over the row's unit.
     pub step: f64,
 }
 
-/// What LIGGGHTS said at a place, and what our simulation does.
+/// The outcome of LIGGGHTS at a place, and that of our simulation.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
-    /// Where.
+    /// The place.
     pub place: Place,
-    /// What our simulation finds.
+    /// The class in our simulation.
     pub ours: Class,
-    /// What LIGGGHTS does.
+    /// The class in LIGGGHTS.
     pub theirs: Class,
-    /// Whether another outcome lies within 10 % of the step.
+    /// Whether our simulation has another class within 10 % of the step.
     pub near: bool,
 }
 
 /// How many places agree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Agreement {
-    /// All places.
+    /// Number of places.
     pub all: usize,
-    /// Those that agree.
+    /// Number of places that agree.
     pub agree: usize,
-    /// Places further than 10 % from a border.
+    /// Number of places further than 10 % from a border.
     pub far: usize,
-    /// Those of them that agree.
+    /// Number of those that agree.
     pub far_agree: usize,
 }
 
-/// Steps over that of the onset at which LIGGGHTS is asked.
+/// Steps at which LIGGGHTS is run, over that of the onset.
 const ASIDE: [f64; 6] = [0.4, 0.75, 0.95, 1.06, 1.3, 1.8];
 
 /// The first step over the unit of a row at which energy is created, to one part in a thousand.
@@ -61,8 +61,8 @@ pub fn onset(field: &Field, row: &Row, phases: usize) -> Option<f64> {
     Some(wrong)
 }
 
-/// Places on both sides of the onset of some rows; of rows without one, places where errors pass from one class to the
-/// next, which there is always one of.
+/// Places on both sides of the onset of some rows. For rows without an onset, places where the error passes from one class to the next;
+/// there always is one.
 pub fn choose(field: &Field, onset: &[Option<f64>], rows: usize, phases: usize) -> Vec<Place> {
     let n = field.rows.len();
     let chosen = (0..rows).map(|k| (2 * k + 1) * n / (2 * rows));
@@ -73,7 +73,7 @@ pub fn choose(field: &Field, onset: &[Option<f64>], rows: usize, phases: usize) 
         .collect()
 }
 
-/// Where a row first leaves the class of its shortest step.
+/// The step at which a row first leaves the class of its shortest step.
 fn turn(field: &Field, row: &Row, phases: usize) -> Option<f64> {
     let (low, high) = field.range;
     let class = |step: f64| row.class(step, &row.at(step, phases));
@@ -81,7 +81,7 @@ fn turn(field: &Field, row: &Row, phases: usize) -> Option<f64> {
     (1..=60).map(|k| low * (high / low).powf(f64::from(k) / 60.0)).find(|s| class(*s) != first)
 }
 
-/// Ask LIGGGHTS.
+/// Runs LIGGGHTS at a place.
 ///
 /// # Errors
 /// If it fails.

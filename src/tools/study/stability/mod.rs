@@ -1,15 +1,19 @@
-//! Stability: fields of outcomes over the step and one parameter of a law, the borders that theory draws, and LIGGGHTS
-//! itself asked on both sides of the borders that we find.
+//! Stability: fields of outcomes over the step and one parameter of a law, with the borders of theory, and runs of LIGGGHTS
+//! itself on both sides of the borders that we find.
 mod bonds;
 mod cell;
 mod fields;
 mod live;
+mod mapped;
 mod page;
+mod plan;
 mod row;
 
 pub use cell::{Class, Found};
-pub use fields::{field, fields, names, Field};
+pub use fields::{field, fields, names};
 pub use live::{agreement, ask, choose, onset, Agreement, Asked, Place};
+pub use mapped::{Mapped, Study};
+pub use plan::Field;
 pub use row::{Row, Scene};
 
 use super::live::Bench;
@@ -18,31 +22,7 @@ use crate::report::page::Page;
 use rayon::iter::Either;
 use rayon::prelude::*;
 
-/// A field with what was found in it.
-#[derive(Debug)]
-pub struct Mapped {
-    /// The field.
-    pub field: Field,
-    /// Steps over the unit of the row.
-    pub steps: Vec<f64>,
-    /// What was found, row by row.
-    pub cells: Vec<Found>,
-    /// The first step of each row, over its unit, at which energy is created; `None` where it never is.
-    pub onset: Vec<Option<f64>>,
-    /// What LIGGGHTS was asked.
-    pub asked: Vec<Asked>,
-}
-
-/// The whole study.
-#[derive(Debug)]
-pub struct Study {
-    /// Field by field.
-    pub mapped: Vec<Mapped>,
-    /// What LIGGGHTS could not do.
-    pub trouble: Vec<String>,
-}
-
-/// Do it; `done` hears of every field.
+/// Runs the study; `done` is called with each part that is finished.
 pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     let (columns, phases) = if options.full { (96, 64) } else { (60, 24) };
     let mut study = Study { mapped: Vec::new(), trouble: Vec::new() };
@@ -69,7 +49,7 @@ pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
 }
 
 impl Mapped {
-    /// Asks LIGGGHTS at some places; what it could not do, in words.
+    /// Runs LIGGGHTS at some places. Returns a sentence if some of these runs failed.
     fn ask(&mut self, bench: &Bench, places: Vec<Place>, phases: usize) -> Option<String> {
         let answer = |place| match ask(bench, &self.field, place, phases) {
             Ok(asked) => Either::Left(asked),

@@ -1,16 +1,17 @@
 //! The study as a document: maps with borders, tables of limits, agreement with LIGGGHTS.
 use super::cell::Class;
 use super::live::{agreement, Agreement};
+use super::mapped::{Mapped, Study};
 use super::row::Scene;
-use super::{Mapped, Options, Study};
+use super::Options;
 use crate::report::page::{Border, Cell, Item, Map, Page, Scale, Section, Spot, Table};
 use crate::report::{Check, Outcome, Shows, Tolerance, Worst};
 use crate::study::about::{about, ran};
 use std::f64::consts::PI;
 
-/// Share of all places at which LIGGGHTS must do as our simulation does; further than 10 % from a border all must.
+/// Fraction of all places at which LIGGGHTS must agree with our simulation; further than 10 % from a border all must.
 const SHARE: f64 = 0.95;
-/// Places that must have been asked.
+/// The least number of places at which LIGGGHTS must have run.
 const PLACES: usize = 30;
 
 pub(super) fn page(study: &Study, options: &Options) -> Page {
@@ -50,7 +51,7 @@ impl Mapped {
             .map(move |(k, found)| self.field.rows[k / n].class(self.steps[k % n], found))
     }
 
-    /// The smallest onset over the field, and the largest, in units of π/ω.
+    /// The smallest and the largest onset of the field, in units of π/ω.
     fn onsets(&self) -> Option<(f64, f64)> {
         let rows = self.field.rows.iter().zip(&self.onset);
         let in_pi = rows.filter_map(|(row, o)| Some((*o)? * in_pi(row)));
@@ -60,7 +61,7 @@ impl Mapped {
         })
     }
 
-    /// The shortest step of the map that doubles the energy somewhere, in units of π/ω.
+    /// The shortest step at which the energy doubles anywhere on the map, in units of π/ω.
     fn doubled(&self) -> Option<f64> {
         let n = self.steps.len();
         let first = |(k, row): (usize, &super::Row)| {
@@ -71,7 +72,7 @@ impl Mapped {
         self.field.rows.iter().enumerate().filter_map(first).reduce(f64::min)
     }
 
-    /// The longest step up to which all rows keep the error of the measured quantity below a limit, in units of π/ω.
+    /// The longest step up to which the error of the measured quantity is below a limit in all rows, in units of π/ω.
     fn accurate(&self, limit: f64) -> Option<f64> {
         let n = self.steps.len();
         let good =
@@ -96,7 +97,7 @@ fn limits(study: &Study) -> Section {
     let row = |m: &Mapped| -> Vec<Cell> {
         let number = |x: Option<f64>| x.map_or("never".into(), Cell::Number);
         let onsets = m.onsets();
-        // A sphere at rest has nothing to be measured but its energy.
+        // Of a sphere at rest only the energy is measured.
         let at_rest =
             matches!(m.field.rows[0].scene, Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_));
         let accurate = |limit| if at_rest { "–".into() } else { number(m.accurate(limit)) };
@@ -133,7 +134,7 @@ fn limits(study: &Study) -> Section {
     }
 }
 
-/// The unit of a row over π/ω of its stiffest normal mode; of a row of bonds, of the fastest that it has.
+/// The unit of a row over π/ω of its stiffest normal mode, or for bonds of their fastest mode.
 fn in_pi(row: &super::Row) -> f64 {
     match row.scene {
         Scene::Bonded(_) => row.unit() / row.tangential.step_centred() * 2.0 / PI,
@@ -214,7 +215,7 @@ fn field(m: &Mapped) -> Section {
     }
 }
 
-/// What is looked at, for people.
+/// What is measured, in words.
 fn measured(scene: Scene) -> &'static str {
     match scene {
         Scene::Impact => "Many phases of first touch at three speeds; the mean error of the restitution, and the largest kinetic energy afterwards.",
@@ -226,7 +227,7 @@ fn measured(scene: Scene) -> &'static str {
     }
 }
 
-/// The words of a class.
+/// A class in words.
 fn word(class: Class, scene: Scene) -> &'static str {
     match (class, scene) {
         (Class::Fine, Scene::RestNormal | Scene::RestTangential) => "stays at rest",

@@ -1,4 +1,4 @@
-//! A row of a field: laws and numbers, how bodies meet, and what theory says of it.
+//! A row of a field: laws and numbers, how bodies meet, and the limits of theory.
 use super::cell::{Class, Found, CREATED};
 use crate::study::adaptive::{impact, Aim};
 use crate::study::matter::Matter;
@@ -9,22 +9,22 @@ use granlaw::critical::{hertz, rayleigh, Mode};
 use granlaw::pair::run_while;
 use std::f64::consts::PI;
 
-/// What happens.
+/// What happens, and what is measured of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
     /// An impact; the restitution is measured.
     Impact,
     /// An oblique impact; the final spin is measured.
     Oblique,
-    /// A sphere at rest on a wall, pushed a little along the normal; it should stay calm.
+    /// A sphere at rest on a wall that is given a small velocity along the normal; it should stay calm.
     RestNormal,
-    /// The same, pushed along the wall.
+    /// The same with a velocity along the wall.
     RestTangential,
-    /// A rolling sphere comes to rest; what is left of its speed is measured.
+    /// A rolling sphere comes to rest; the speed that is left is measured.
     Roll,
-    /// Bonded spheres swing for so many steps; their bonds may take energy, but never give it.
+    /// Bonded spheres swing for this number of steps; their bonds may take energy, but never add it.
     Bonded(u64),
-    /// A sphere hangs on a wall by a bond and comes to rest, in so many half periods; what is left of its speed is measured.
+    /// A sphere hangs on a wall by a bond and comes to rest in this number of half periods; the speed that is left is measured.
     Hang(u64),
 }
 
@@ -48,23 +48,23 @@ pub struct Row {
     pub scene: Scene,
     /// The stiffest normal mode that the contact reaches.
     pub normal: Mode,
-    /// The stiffest tangential one; without stiffness if there is no shear. Of bonds, the fastest of all that swings.
+    /// The stiffest tangential mode; without stiffness if there is no shear. Of bonds, the fastest of all modes.
     pub tangential: Mode,
     /// The step beyond which `fix check/timestep/gran` with 0.2 and 0.2 warns \[s\].
     pub warns: f64,
     /// Half a period of the loading stiffness \[s\].
     period: f64,
-    /// What is measured, for each shot; NaN where the contact ends stuck.
+    /// The true value of what is measured, for each shot; NaN if the bodies should stick.
     truth: Vec<f64>,
 }
 
-/// Fractions of Rayleigh and Hertz times that people give to the check.
+/// Fractions of Rayleigh and Hertz times that are commonly given to the check.
 const FRACTIONS: (f64, f64) = (0.2, 0.2);
-/// Steps that a sphere at rest is watched for.
+/// Number of steps for which a sphere at rest is followed.
 const WATCHED: u64 = 600;
 
 impl Row {
-    /// With everything that theory and a converged solution say.
+    /// A row with the limits of theory and a converged solution.
     ///
     /// # Panics
     /// If the laws refuse the numbers, which is a bug of the field.
@@ -79,7 +79,7 @@ impl Row {
         row
     }
 
-    /// A row of bonds. Steps are measured by `unit`; `fastest` is what theory has for the fastest mode.
+    /// A row of bonds. Steps are in units of the mode `unit`; `fastest` is the fastest mode by theory.
     pub fn bonded(
         param: f64,
         matter: Matter,
@@ -97,7 +97,7 @@ impl Row {
         self.normal.step_centred()
     }
 
-    /// What is measured of an outcome.
+    /// The measured quantity of an outcome.
     fn measure(&self, o: &Outcome) -> f64 {
         match self.scene {
             Scene::Impact => o.restitution,
@@ -121,19 +121,19 @@ impl Row {
         }
     }
 
-    /// How many steps of `dt` \[s\] the scene takes.
+    /// Number of steps of `dt` \[s\] that the scene takes.
     pub fn length(&self, dt: f64) -> u64 {
         match self.scene {
             Scene::RestNormal | Scene::RestTangential => WATCHED,
             Scene::Roll => self.shots[0].rest.map_or(0, |r| (r.time / dt) as u64),
             Scene::Bonded(steps) => steps,
             Scene::Hang(half) => (half as f64 * self.period / dt) as u64,
-            // Long enough for the slowest contact, and for a few steps however long they are.
+            // Long enough for the slowest contact, and at least a few steps.
             Scene::Impact | Scene::Oblique => (4.0 * self.period / dt) as u64 + 12,
         }
     }
 
-    /// Steps ahead of first touch at which the shots of a cell begin.
+    /// How many steps before first touch the shots of a cell begin.
     pub fn before(&self, phases: usize) -> Vec<f64> {
         match self.scene {
             Scene::Impact | Scene::Oblique => (0..phases).map(|k| (k as f64 + 0.5) / phases as f64).collect(),
@@ -141,7 +141,7 @@ impl Row {
         }
     }
 
-    /// What comes of all shots in steps of `step` units.
+    /// The result of all shots in steps of `step` units.
     pub fn at(&self, step: f64, phases: usize) -> Found {
         let dt = step * self.unit();
         let mut chain = self.matter.chain().expect("a sound row");
@@ -167,7 +167,7 @@ impl Row {
         Found { missed, ..self.judge(&outcomes, phases) }
     }
 
-    /// The same from outcomes that are there already, shot by shot, each with all its phases.
+    /// The same from given outcomes, shot by shot, each with all its phases.
     pub fn judge(&self, outcomes: &[Outcome], phases: usize) -> Found {
         let each = self.before(phases).len();
         Found::of(outcomes, |k, o| {
@@ -175,7 +175,7 @@ impl Row {
             let error = match self.scene {
                 Scene::RestNormal | Scene::RestTangential | Scene::Bonded(_) => 0.0,
                 Scene::Roll | Scene::Hang(_) => got.abs(),
-                // Where it should stick, what still moves apart is the error.
+                // If the bodies should stick, the speed of separation is the error.
                 _ if truth.is_nan() && o.apart => got.abs(),
                 _ if truth.is_nan() => 0.0,
                 _ => ((got - truth) / truth).abs(),
@@ -184,8 +184,8 @@ impl Row {
         })
     }
 
-    /// Energy over that before from which on it counts as created, at a step in units. Of a sphere that still swings,
-    /// velocity Verlet keeps an energy of its own, about which the true one swings by 1/(1 − s²), s over the critical step.
+    /// The ratio of energies from which on energy counts as created, at a step in units. Velocity Verlet conserves an energy of its own; for
+    /// a sphere that still swings the true energy varies about it by 1/(1 − s²), where s is the step over the critical one.
     fn created(&self, step: f64) -> f64 {
         let critical = match self.scene {
             Scene::RestNormal => self.normal.step_centred(),
@@ -200,7 +200,7 @@ impl Row {
         }
     }
 
-    /// The class of what was found at a step in units.
+    /// The class of a result, at a step in units.
     pub fn class(&self, step: f64, found: &Found) -> Class {
         let stops = matches!(self.scene, Scene::Roll | Scene::Hang(_));
         let limits = if stops { (1e-4, 1e-2) } else { (0.01, 0.1) };

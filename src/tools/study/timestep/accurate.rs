@@ -1,32 +1,32 @@
-//! The longest step for an accuracy, by trying: impacts at many phases of first touch in ever shorter steps.
+//! Finds the longest step for an accuracy by trying impacts in shorter and shorter steps, at many phases of first touch.
 use crate::study::adaptive::{impact, Aim};
 use crate::study::shot::Shot;
 use granlaw::chain::Chain;
 use granlaw::pair::run_while;
 
-/// Where to look.
+/// The range of the search, and the accuracy.
 #[derive(Clone, Copy, Debug)]
 pub struct Search {
     /// Longest step \[s\].
     pub longest: f64,
     /// About how long the contact lasts \[s\].
     pub period: f64,
-    /// Largest mean error of the restitution: relative, or of what still moves apart where bodies should stick.
+    /// Largest mean error of the restitution: relative, or absolute where bodies should stick.
     pub accuracy: f64,
 }
 
 /// Phases of first touch.
 const PHASES: usize = 24;
-/// A step over the one before.
+/// Ratio of each step to the one before.
 const SHORTER: f64 = 0.9;
-/// So many steps in a row must be good: errors swing with the number of steps per contact.
+/// This many steps in a row must be good, as errors go up and down with the number of steps per contact.
 const GOOD: usize = 5;
-/// Shortest step over the longest.
+/// Ratio of the shortest step to the longest.
 const LEAST: f64 = 1e-4;
-/// Energy over that before from which on it counts as created.
+/// From this ratio of the energy afterwards to that before, energy counts as created.
 const CREATED: f64 = 1.01;
 
-/// The longest step \[s\] from which on shorter ones are good too; `None` if none of those tried is.
+/// The longest step \[s\] below which all that were tried are good too; `None` if none of those tried is.
 pub fn accurate(chain: &mut Chain, shot: &Shot, search: &Search) -> Option<f64> {
     let aim = Aim { tolerance: 1e-8, duration: search.period, longest: 0.1, with_force: false };
     let (exact, _) = impact(chain, shot, &aim);

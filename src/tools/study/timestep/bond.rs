@@ -1,6 +1,5 @@
 //! Bonds: the modes of two bodies that a bond holds, and of many that hold each other.
-use super::contact::{Contact, Limit};
-use super::Asked;
+use super::limit::{Asked, Contact, Limit};
 use crate::probe::Grains;
 use granlaw::chain::Chain;
 use granlaw::critical::Mode;
@@ -39,8 +38,9 @@ fn limit(name: &'static str, turns: bool, mode: Mode) -> Limit {
     Limit { name, turns, mode, critical: mode.step(), safe: mode.safe_bond() }
 }
 
-/// So many bonds on every particle, like the fastest of two alone. As λmax of the whole is at most twice the largest
-/// λmax(Mi⁻¹ ΣKii) of a particle, ω² is at most that many times as large; of a chain it is twice, and that is what it comes to.
+/// The fastest mode if every particle has this many bonds like the fastest of two bodies alone. As λmax of the whole is at most twice the
+/// largest λmax(Mi⁻¹ ΣKii) of a particle, ω² is at most that many times as large. A long chain, with two bonds on each particle, does
+/// reach that limit.
 fn together(fastest: &Limit, bonds: u32) -> Limit {
     let mode = Mode { stiffness: f64::from(bonds) * fastest.mode.stiffness, ..fastest.mode };
     limit("many on each", fastest.turns, mode)

@@ -1,5 +1,7 @@
 //! One kind of contact: two types, or a type and a wall.
-use super::{accurate, bond, Asked, Search};
+use super::accurate::{accurate, Search};
+use super::bond;
+use super::limit::{Asked, Contact, Limit};
 use crate::probe::{Contacts, Fastest, Grains, TypePair};
 use crate::study::modes::{reached, Modes};
 use crate::study::shot::Shot;
@@ -8,71 +10,6 @@ use granlaw::chain::Chain;
 use granlaw::critical::Mode;
 use granlaw::law::Kind;
 use granlaw::laws::prop;
-use serde::Serialize;
-
-/// A kind of contact with its limits.
-#[derive(Clone, Debug, Serialize)]
-pub struct Contact {
-    /// `pair`, or `wall` and the name of its fix.
-    pub who: String,
-    /// Atom types from 1; of a wall, that of its material behind that of the particle.
-    pub types: [usize; 2],
-    /// The laws, as the deck has them.
-    pub laws: String,
-    /// Speed of the impact that was looked at \[m/s\].
-    pub speed: f64,
-    /// Radii of the spheres that need the shortest step \[m\]; of a wall, 0.
-    pub radii: [f64; 2],
-    /// The modes: along the normal, along the surface, and the fastest contact that the scene has shown; or those of a bond.
-    pub limits: Vec<Limit>,
-    /// Of bonds: the fastest mode where every particle has as many of them as asked for. Linear theory's step is then a
-    /// lower bound.
-    pub together: Option<Limit>,
-    /// Longest step for the accuracy \[s\]; `None` if no step that was tried is short enough, or if nothing was tried.
-    pub accurate: Option<f64>,
-}
-
-/// A mode with the longest steps that it bears.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Limit {
-    /// Which.
-    pub name: &'static str,
-    /// Whether it turns the bodies about each other: then stiffness is in N m/rad and mass in kg m².
-    pub turns: bool,
-    /// The linear oscillator.
-    #[serde(with = "ModeFields")]
-    pub mode: Mode,
-    /// Longest stable step of linear theory \[s\].
-    pub critical: f64,
-    /// Longest step at which no contact of the maps creates energy \[s\].
-    pub safe: f64,
-}
-
-/// How a [`Mode`] stands in JSON.
-#[derive(Serialize)]
-#[serde(remote = "Mode")]
-struct ModeFields {
-    stiffness: f64,
-    damping: f64,
-    mass: f64,
-}
-
-impl Contact {
-    /// The longest stable step of linear theory \[s\].
-    pub fn critical(&self) -> f64 {
-        self.limits.iter().map(|l| l.critical).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The longest step at which no energy is created \[s\].
-    pub fn safe(&self) -> f64 {
-        self.limits.iter().chain(&self.together).map(|l| l.safe).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The longest step that is both safe and accurate \[s\].
-    pub fn recommended(&self) -> f64 {
-        self.accurate.unwrap_or(f64::INFINITY).min(self.safe())
-    }
-}
 
 /// Every kind of contact of a chain for which there are particles.
 pub(super) fn of_chain(
@@ -88,7 +25,7 @@ pub(super) fn of_chain(
             header.who, law.kind, law.keyword
         ));
     }
-    // A bond stands in place of the other laws, so that each is looked at without the other.
+    // A bond replaces the force of the other laws, so the two are looked at separately.
     let mut bonds = Header { laws: header.bonds().cloned().into_iter().collect(), ..header.clone() };
     header.laws.retain(|l| l.known && !bonds.laws.contains(l));
     bonds.laws.retain(|l| l.known);
@@ -105,7 +42,7 @@ pub(super) fn of_chain(
     let of = |kind: usize| grains.iter().find(|g| g.kind as usize == kind);
     let mut all = Vec::new();
     for i in 1..=header.types {
-        // A wall is of the material that the scene has shown, or of any.
+        // The material of a wall is the one that the scene has shown; if nothing has touched it yet, it may be any.
         let met = |j: usize| c.pairs.iter().any(|p| p.types == [i, j]);
         let partners: Vec<usize> = match wall {
             false => (i..=header.types).filter(|j| of(*j).is_some()).collect(),
@@ -128,7 +65,7 @@ pub(super) fn of_chain(
     all
 }
 
-/// How fast bodies of these types meet at most \[m/s\].
+/// The largest speed at which bodies of these types can meet \[m/s\].
 fn fastest(seen: Option<&TypePair>, (gi, gj): (&Grains, Option<&Grains>)) -> f64 {
     let hardest = seen.and_then(|p| p.impact_speed.range()).map_or(0.0, |(_, most)| most);
     hardest.max(gi.fastest + gj.map_or(0.0, |g| g.fastest))
@@ -144,7 +81,7 @@ fn one(
 ) -> Option<Contact> {
     let seen = c.pairs.iter().find(|p| p.types == types);
     let chain = || header.chain().expect("it was made before");
-    // The smallest spheres are the fastest; a large partner may be worse for some laws.
+    // The smallest spheres oscillate fastest, but for some laws a large partner is worse.
     let ends = |g: Option<&Grains>| g.map_or(vec![0.0], |g| g.radius.to_vec());
     let sizes = ends(Some(gi)).into_iter().flat_map(|ri| ends(gj).into_iter().map(move |rj| [ri, rj]));
     let shots = sizes.map(|[ri, rj]| Shot {
@@ -164,7 +101,7 @@ fn one(
     if modes.tangential.stiffness > 0.0 || modes.tangential.damping > 0.0 {
         limits.push(limit("tangential", modes.tangential, centred));
     }
-    // A bond is infinitely stiff where its compression begins, which says nothing.
+    // A bond is infinitely stiff where its compression begins, so the fastest contact of the scene is not usable.
     let fastest = seen.filter(|_| c.header.bonds().is_none()).and_then(|p| met(&p.fastest));
     limits.extend(fastest.map(|m| limit("met in the scene", m, centred)));
     Some(Contact {
@@ -190,7 +127,7 @@ fn try_out(chain: &mut Chain, shot: &Shot, modes: &Modes, accuracy: f64) -> Opti
 }
 
 fn limit(name: &'static str, mode: Mode, centred: bool) -> Limit {
-    // With its damping centred, a mode is as stable as without.
+    // With `centredDamping` a mode is as stable as without damping.
     let bears = if centred { Mode { damping: 0.0, ..mode } } else { mode };
     Limit { name, turns: false, mode, critical: bears.step(), safe: bears.safe() }
 }
@@ -211,7 +148,7 @@ fn name(l: &LawSpec) -> String {
     format!("{}{}", l.keyword, if l.taken_over { "" } else { "/rs" })
 }
 
-/// A speed where nothing moves \[m/s\].
+/// The speed that is assumed if nothing moves \[m/s\].
 fn assumed(header: &Header, notes: &mut Vec<String>) -> f64 {
     let properties = || header.laws.iter().flat_map(|l| &l.properties);
     let named = properties().find(|p| p.name == prop::CHARACTERISTIC_VELOCITY.name);

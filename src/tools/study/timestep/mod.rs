@@ -3,34 +3,24 @@
 mod accurate;
 mod bond;
 mod contact;
+mod limit;
 mod stock;
 
 pub use accurate::{accurate, Search};
-pub use contact::{Contact, Limit};
+pub use limit::{Asked, Contact, Limit};
 pub use stock::Stock;
 
 use crate::probe::{Contacts, Grains, Probe};
 use serde::Serialize;
 
-/// What is asked.
-#[derive(Clone, Copy, Debug)]
-pub struct Asked {
-    /// Largest mean relative error of the restitution of an impact.
-    pub accuracy: f64,
-    /// Speed of the impacts \[m/s\]; without it, the fastest that the scene shows.
-    pub speed: Option<f64>,
-    /// How many bonds are taken to hold a particle.
-    pub bonds: u32,
-}
-
-/// What is said of a deck.
+/// The answer for a deck.
 #[derive(Clone, Debug, Serialize)]
 pub struct Advice {
     /// The deck's time step \[s\].
     pub dt: f64,
     /// The error that was asked for.
     pub accuracy: f64,
-    /// How many bonds are taken to hold a particle.
+    /// How many bonds each particle is assumed to have.
     pub bonds: u32,
     /// The particles by type.
     pub grains: Vec<Grains>,
@@ -38,7 +28,7 @@ pub struct Advice {
     pub contacts: Vec<Contact>,
     /// LIGGGHTS's check; `None` where the deck has no elastic constants.
     pub stock: Option<Stock>,
-    /// What could not be looked at, and what was assumed.
+    /// What could not be considered, and what was assumed.
     pub notes: Vec<String>,
 }
 
@@ -54,7 +44,7 @@ impl Advice {
     }
 }
 
-/// The chains, whatever the time step: a deck may change it.
+/// The chains, merged over different time steps, as a deck may change the step.
 fn chains(probe: &Probe) -> Vec<Contacts> {
     let mut all: Vec<Contacts> = Vec::new();
     for chain in &probe.chains {
@@ -68,7 +58,7 @@ fn chains(probe: &Probe) -> Vec<Contacts> {
     all
 }
 
-/// Looks at a probe.
+/// Gives the steps for the contacts that a probe saw.
 pub fn advise(probe: &Probe, asked: &Asked) -> Advice {
     let mut notes = Vec::new();
     let mut contacts = Vec::new();

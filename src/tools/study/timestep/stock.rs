@@ -1,4 +1,4 @@
-//! What `fix check/timestep/gran` says.
+//! The limits of `fix check/timestep/gran`.
 use crate::probe::{Grains, Probe};
 use granlaw::critical::{hertz, rayleigh};
 use granlaw::laws::prop;

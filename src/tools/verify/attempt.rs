@@ -1,0 +1,8 @@
+//! A finished run.
+use crate::liggghts::{Folder, Ran};
+
+/// A finished run and its folder.
+pub(super) struct Attempt {
+    pub folder: Folder,
+    pub ran: Ran,
+}
