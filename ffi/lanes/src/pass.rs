@@ -9,7 +9,7 @@ use crate::trouble::Trouble;
 use crate::unit::Unit;
 use crate::Batch;
 use granlaw::law::{Call, LawError, Mark, Setup};
-use granlaw::laws::all;
+use granlaw::laws::made;
 
 /// A neighbour without a fit.
 const NONE: u32 = u32::MAX;
@@ -41,10 +41,7 @@ impl<L: Unit + 'static> Pass<L> {
         let (mut laws, mut flags) = (Vec::with_capacity(setups.len()), [0, 0]);
         for (setup, places) in setups.iter().zip(places) {
             let meta = setup.law.meta;
-            let entry = all::<Kernels<L>>()
-                .iter()
-                .find(|e| (e.meta.kind, e.meta.keyword) == (meta.kind, meta.keyword));
-            let Some(prepare) = entry.and_then(|e| e.make(setup)) else { return Ok(None) };
+            let Some(prepare) = made::<Kernels<L>>(setup) else { return Ok(None) };
             laws.push(prepare(setup, places)?);
             match setup.law.liggghts.marks[0] {
                 Mark::Set => flags[0] |= 1 << meta.kind as i32,

@@ -1,5 +1,5 @@
 //! Every law, one file each.
-use crate::law::{Alone, Entry, ForLanes, Kind};
+use crate::law::{Alone, Entry, ForLanes, Kind, Setup};
 use dashpot::Viscous;
 use hooke_hysteresis::HookeHysteresis;
 
@@ -37,6 +37,12 @@ pub const fn all<U: ForLanes>() -> &'static [Entry<U>] {
 
 /// All laws.
 pub static LAWS: &[Entry] = all::<Alone>();
+
+/// What `U` makes of a law as it is set up; nothing of one that is not in [`LAWS`] or has no lanes.
+pub fn made<U: ForLanes>(setup: &Setup) -> Option<U::Made> {
+    let law = (setup.law.meta.kind, setup.law.meta.keyword);
+    all::<U>().iter().find(|e| (e.meta.kind, e.meta.keyword) == law)?.make(setup)
+}
 
 /// The law of a kind with a name, given as LIGGGHTS has it (`hooke`) or as our own (`hooke/rs`).
 pub fn find(kind: Kind, name: &str) -> Option<&'static Entry> {

@@ -3,7 +3,7 @@ use super::matter::Matter;
 use super::shot::{Outcome, Shot};
 use granlaw::lane::{dot, Lanes};
 use granlaw::law::{Body, Call, ForLanes, Law, Setup, Size, Slots, Stage, Surface};
-use granlaw::laws::all;
+use granlaw::laws::made;
 use nalgebra::Vector3;
 
 /// A law in single precision, with a common interface for laws whose coefficients have different types.
@@ -39,11 +39,7 @@ impl ForLanes for Single {
 
 /// The laws of a chain; `None` if there is one that is not written over lanes.
 fn kernels(matter: &Matter, size: &Size) -> Option<Vec<Box<dyn Kernel>>> {
-    let one = |setup: &Setup| {
-        let law = setup.law.meta;
-        let entry = all::<Single>().iter().find(|e| (e.meta.kind, e.meta.keyword) == (law.kind, law.keyword));
-        entry?.make(setup)?(setup, size)
-    };
+    let one = |setup: &Setup| made::<Single>(setup)?(setup, size);
     matter.setups().ok()?.iter().map(one).collect()
 }
 

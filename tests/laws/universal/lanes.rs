@@ -2,7 +2,7 @@
 use super::recipe::{chain_of, for_all, Case, Check, Draw, Recipe, Switches};
 use granlaw::lane::{Lane, Lanes, Pack};
 use granlaw::law::*;
-use granlaw::laws::{all, no_history::NoHistory};
+use granlaw::laws::{made, no_history::NoHistory, LAWS};
 use nalgebra::Vector3;
 
 type Outcome = Result<(), String>;
@@ -151,13 +151,9 @@ impl ForLanes for Checked {
 #[test]
 fn lanes_answer_as_single_contacts_do_to_the_last_bit() {
     let mut n = 0;
-    for entry in all::<Checked>() {
+    for entry in LAWS {
         // Which form of a law it is hangs on the settings.
-        let check: Check = |r, c, d| {
-            let law = r.setups[0].law.meta;
-            let entry = all::<Checked>().iter().find(|e| std::ptr::eq(e.meta, law)).expect("the same law");
-            entry.make(&r.setups[0]).map_or(Ok(()), |check| check(r, c, d))
-        };
+        let check: Check = |r, c, d| made::<Checked>(&r.setups[0]).map_or(Ok(()), |check| check(r, c, d));
         for_all(&chain_of(&[entry.meta.keyword]), Switches::Any, 1000, None, check)
             .unwrap_or_else(|e| panic!("{}: {e}", entry.meta.keyword));
         n += usize::from(entry.meta.reach == Reach::Overlap);
