@@ -1,9 +1,8 @@
 //! LIGGGHTS's arrays, as the C++ half hands them over and as the pass sees them.
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
-/// LIGGGHTS's own arrays, none copied; the mirror of `granlaw_arrays` in `batch.hpp`. Indices are LIGGGHTS's: particles
-/// that this rank owns come first, its ghosts behind them.
-#[repr(C)]
+/// LIGGGHTS's own arrays, none copied. Indices are LIGGGHTS's: particles that this rank owns come first, its ghosts behind
+/// them.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrays {
     /// Positions \[m\], velocities \[m/s\] and spins \[rad/s\] of `all` particles.

@@ -4,37 +4,8 @@
 #define GRANLAW_BATCH_HPP
 
 #include <set>
+#include "boundary.h"
 #include "chain.hpp"
-
-extern "C" {
-struct granlaw_batch;
-// LIGGGHTS's own arrays; the other half is Arrays in ffi/lanes/src/arrays.rs, where every field is explained.
-struct granlaw_arrays {
-  const double *x, *v, *omega;
-  double *f, *torque;
-  const double *radius, *mass, *rigid;
-  const int *type, *mask, *tag;
-  const int *ilist, *numneigh;
-  const int *const *neighbours;
-  int *const *flags;
-  double *const *history;
-  size_t rows, all, forced, row;
-  double skin, dt;
-  int64_t step;
-  int32_t frozen;
-  bool update, rebuilt;
-};
-// What a chain did so far, and what it needs.
-struct granlaw_account {
-  uint64_t passes, contacts, neighbours, bytes;
-};
-// *out stays NULL where a law of the chain has no lanes.
-granlaw_status granlaw_batch_new(const granlaw_setup *setup, const char *lanes, granlaw_batch **out);
-void granlaw_batch_free(granlaw_batch *batch);
-const char *granlaw_batch_name(const granlaw_batch *batch);
-granlaw_account granlaw_batch_account(const granlaw_batch *batch);
-granlaw_status granlaw_batch_pass(granlaw_batch *batch, const granlaw_arrays *arrays);
-}
 
 namespace granlaw {
 

@@ -4,14 +4,7 @@
 
 #include <mpi.h>
 #include <vector>
-
-extern "C" {
-// Lives until the process ends.
-struct granlaw_text {
-  const char *bytes;
-  size_t length;
-};
-}
+#include "boundary.h"
 
 namespace granlaw {
 

@@ -1,4 +1,5 @@
-// The probe's half of the boundary; the other half is src/probe.rs. SPDX-License-Identifier: GPL-2.0-or-later
+// The probe of a run: what all chains of this rank are counted into; the other half is src/probe.rs.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef GRANLAW_PROBE_HPP
 #define GRANLAW_PROBE_HPP
 
@@ -7,34 +8,7 @@
 #include "gather.hpp"
 #include "host.hpp"
 #include "modes.hpp"
-#include "recorder.hpp"
-
-extern "C" {
-struct granlaw_probe;
-// Follows a sample of the contacts, or as many as there is room for.
-granlaw_probe *granlaw_probe_new(bool all);
-granlaw_status granlaw_probe_chain(granlaw_probe *p, const granlaw_recorded_chain *chain, size_t *out);
-// The contacts of a pair style or wall fix that cannot be counted.
-void granlaw_probe_unseen(granlaw_probe *p, const char *who);
-// A step begins, with a new neighbour list or not. Whether granlaw_probe_sample is due.
-bool granlaw_probe_tick(granlaw_probe *p, const granlaw_pass *pass, bool listed);
-granlaw_status granlaw_probe_sample(granlaw_probe *p, int64_t step, const granlaw_recorded_particles *particles);
-// Counts a contact; whether it is one of those that are followed.
-bool granlaw_probe_sees(granlaw_probe *p, size_t chain, const granlaw_pass *pass, const granlaw_surfaces_close_data *contact);
-// What came of it: wanted of all walls and of followed contacts. `place` tells apart meshes that number their triangles alike.
-granlaw_status granlaw_probe_call(granlaw_probe *p, size_t chain, const granlaw_recorded_call *call, size_t place,
-                                  bool followed);
-// Surfaces that do not overlap.
-granlaw_status granlaw_probe_across(granlaw_probe *p, size_t chain, const granlaw_recorded_call *call);
-// Whether the time step is too long for a contact of the chain; once for each pair of types.
-bool granlaw_probe_alarm(granlaw_probe *p, size_t chain, granlaw_text *out);
-// The same of the bonds that the particles can have; once for each pair of types, again until there is none.
-bool granlaw_probe_bonds_alarm(granlaw_probe *p, granlaw_text *out);
-// What this rank saw; `p` is used up.
-granlaw_status granlaw_probe_pack(granlaw_probe *p, granlaw_text *out);
-// The texts of all ranks, as one file.
-granlaw_status granlaw_probe_write(const char *path, const granlaw_text *ranks, size_t n);
-}
+#include "boundary.h"
 
 namespace granlaw {
 

@@ -1,24 +1,12 @@
-// The shadow's half of the boundary; the other half is src/shadow.rs. SPDX-License-Identifier: GPL-2.0-or-later
+// The shadow of a run, which holds every call against the Rust laws; the other half is src/shadow.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef GRANLAW_SHADOW_HPP
 #define GRANLAW_SHADOW_HPP
 
 #include <unistd.h>
 #include "gather.hpp"
 #include "modes.hpp"
-#include "recorder.hpp"
-
-extern "C" {
-struct granlaw_shadow;
-// `lanes` as in GRANLAW_LANES; pairs go through the batched pass unless `contact` says one after the other.
-granlaw_status granlaw_shadow_new(const char *lanes, bool contact, granlaw_shadow **out);
-granlaw_status granlaw_shadow_chain(granlaw_shadow *s, const granlaw_recorded_chain *chain, size_t *out);
-// A call with LIGGGHTS's answer.
-granlaw_status granlaw_shadow_call(granlaw_shadow *s, size_t chain, const granlaw_recorded_call *call);
-// What this rank saw; `s` is used up.
-granlaw_status granlaw_shadow_pack(granlaw_shadow *s, granlaw_text *out);
-// The parts of all ranks in words, and the exit status that they ask for.
-granlaw_status granlaw_shadow_tell(const granlaw_text *ranks, size_t n, double tolerance, granlaw_text *words, int *status);
-}
+#include "boundary.h"
 
 namespace granlaw {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include "modes.hpp"
 #include "probe.hpp"
-#include "recorder.hpp"
+#include "boundary.h"
 #include "shadow.hpp"
 
 namespace granlaw {

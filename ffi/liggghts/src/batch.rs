@@ -1,4 +1,5 @@
-//! The batched pass behind C. The structs are those of `cpp/batch.hpp`, field by field.
+//! The batched pass behind C. The structs are those of `cpp/boundary.h`.
+use crate::boundary::{granlaw_account, granlaw_arrays};
 use granlaw::law::{Body, Contact, Gap, Meta, Surface};
 use granlaw_capi::abi::{granlaw_setup, granlaw_status};
 use granlaw_capi::convert::{non_finite, setups};
@@ -12,16 +13,6 @@ pub struct Batched {
     laws: Vec<&'static Meta>,
     name: CString,
     passes: u64,
-}
-
-/// What a chain did so far, and what it needs.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct Account {
-    passes: u64,
-    contacts: u64,
-    neighbours: u64,
-    bytes: u64,
 }
 
 /// # Safety
@@ -79,32 +70,67 @@ pub unsafe extern "C" fn granlaw_batch_name(b: *const Batched) -> *const c_char 
 /// # Safety
 /// `b` came from `granlaw_batch_new`.
 #[no_mangle]
-pub unsafe extern "C" fn granlaw_batch_account(b: *const Batched) -> Account {
+pub unsafe extern "C" fn granlaw_batch_account(b: *const Batched) -> granlaw_account {
     // SAFETY: as the caller promises.
     let b = unsafe { &*b };
     let (neighbours, bytes) = (b.batch.neighbours() as u64, b.batch.bytes() as u64);
-    Account { passes: b.passes, contacts: b.batch.contacts(), neighbours, bytes }
+    granlaw_account { passes: b.passes, contacts: b.batch.contacts(), neighbours, bytes }
 }
 
 /// # Safety
 /// `b` came from `granlaw_batch_new`; the arrays are LIGGGHTS's own and have the lengths that [`Arrays`] states.
 #[no_mangle]
-pub unsafe extern "C" fn granlaw_batch_pass(b: *mut Batched, arrays: *const Arrays) -> granlaw_status {
+pub unsafe extern "C" fn granlaw_batch_pass(
+    b: *mut Batched,
+    arrays: *const granlaw_arrays,
+) -> granlaw_status {
     boundary(|| {
         // SAFETY: as the caller promises.
-        let (b, a) = unsafe { (&mut *b, &*arrays) };
+        let (b, a) = unsafe { (&mut *b, handed(&*arrays)) };
         b.passes += 1;
         // SAFETY: as the caller promises.
-        match unsafe { b.batch.pass(a) } {
+        match unsafe { b.batch.pass(&a) } {
             Ok(()) => Ok(()),
             Err(Trouble::Arrays(what)) => Err(Failure::misuse(what)),
             Err(Trouble::NonFinite(at)) => {
                 // SAFETY: the pass found the indices in the arrays.
-                let contact = unsafe { contact(a, &at) };
+                let contact = unsafe { contact(&a, &at) };
                 Err(non_finite(b.laws.iter().copied(), &contact))
             }
         }
     })
+}
+
+/// The arrays as the pass takes them: positions and the like three by three.
+fn handed(a: &granlaw_arrays) -> Arrays {
+    Arrays {
+        x: a.x.cast(),
+        v: a.v.cast(),
+        omega: a.omega.cast(),
+        f: a.f.cast(),
+        torque: a.torque.cast(),
+        radius: a.radius,
+        mass: a.mass,
+        rigid: a.rigid,
+        kind: a.type_,
+        mask: a.mask,
+        tag: a.tag,
+        ilist: a.ilist,
+        numneigh: a.numneigh,
+        neighbours: a.neighbours,
+        flags: a.flags,
+        history: a.history,
+        rows: a.rows,
+        all: a.all,
+        forced: a.forced,
+        row: a.row,
+        skin: a.skin,
+        dt: a.dt,
+        step: a.step,
+        frozen: a.frozen,
+        update: a.update,
+        rebuilt: a.rebuilt,
+    }
 }
 
 /// What the message about a contact needs of it.

@@ -5,6 +5,9 @@
 pub use granlaw_capi::*;
 
 mod batch;
+#[allow(non_camel_case_types, missing_docs)]
+#[rustfmt::skip]
+mod boundary;
 mod probe;
 mod recorder;
 mod shadow;

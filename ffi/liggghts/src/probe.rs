@@ -1,6 +1,8 @@
-//! Counts what the C++ half sees of all chains. The structs are those of `cpp/recorder.hpp` and `cpp/probe.hpp`.
-use crate::recorder::{header, text, RecordedCall, RecordedChain, RecordedParticles};
-use crate::text::Text;
+//! Counts what the C++ half sees of all chains. The structs are those of `cpp/boundary.h`.
+use crate::boundary::{
+    granlaw_recorded_call, granlaw_recorded_chain, granlaw_recorded_particles, granlaw_text,
+};
+use crate::recorder::{header, text};
 use granlaw_capi::abi::{granlaw_pass, granlaw_status, granlaw_surfaces_close_data};
 use granlaw_capi::convert::{contact, parted, slice};
 use granlaw_capi::status::{boundary, Failure};
@@ -30,7 +32,7 @@ extern "C" fn granlaw_probe_new(all: bool) -> *mut Probing {
 #[no_mangle]
 unsafe extern "C" fn granlaw_probe_chain(
     p: *mut Probing,
-    c: *const RecordedChain,
+    c: *const granlaw_recorded_chain,
     out: *mut usize,
 ) -> granlaw_status {
     boundary(|| {
@@ -64,7 +66,7 @@ unsafe extern "C" fn granlaw_probe_tick(p: *mut Probing, pass: *const granlaw_pa
 unsafe extern "C" fn granlaw_probe_sample(
     p: *mut Probing,
     step: i64,
-    of: *const RecordedParticles,
+    of: *const granlaw_recorded_particles,
 ) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers; the arrays have n particles.
@@ -73,7 +75,7 @@ unsafe extern "C" fn granlaw_probe_sample(
         let particles = unsafe {
             let n = of.n;
             Particles {
-                kind: slice(of.kind, n),
+                kind: slice(of.type_, n),
                 mass: slice(of.mass, n),
                 radius: slice(of.radius, n),
                 x: slice(of.x, 3 * n),
@@ -105,7 +107,7 @@ unsafe extern "C" fn granlaw_probe_sees(
 unsafe extern "C" fn granlaw_probe_call(
     p: *mut Probing,
     chain: usize,
-    c: *const RecordedCall,
+    c: *const granlaw_recorded_call,
     place: usize,
     followed: bool,
 ) -> granlaw_status {
@@ -145,7 +147,7 @@ unsafe extern "C" fn granlaw_probe_call(
 unsafe extern "C" fn granlaw_probe_across(
     p: *mut Probing,
     chain: usize,
-    c: *const RecordedCall,
+    c: *const granlaw_recorded_call,
 ) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
@@ -164,29 +166,29 @@ unsafe extern "C" fn granlaw_probe_across(
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_probe_alarm(p: *mut Probing, chain: usize, out: *mut Text) -> bool {
+unsafe extern "C" fn granlaw_probe_alarm(p: *mut Probing, chain: usize, out: *mut granlaw_text) -> bool {
     // SAFETY: the C++ half gives valid pointers.
     let (p, out) = unsafe { (&mut *p, &mut *out) };
     let Some(alarm) = p.session.as_mut().and_then(|s| s.follower(chain).alarm()) else { return false };
-    *out = Text::kept(alarm.into_bytes());
+    *out = granlaw_text::kept(alarm.into_bytes());
     true
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_probe_bonds_alarm(p: *mut Probing, out: *mut Text) -> bool {
+unsafe extern "C" fn granlaw_probe_bonds_alarm(p: *mut Probing, out: *mut granlaw_text) -> bool {
     // SAFETY: the C++ half gives valid pointers.
     let (p, out) = unsafe { (&mut *p, &mut *out) };
     let Some(alarm) = p.session.as_mut().and_then(|s| s.bonds_alarm()) else { return false };
-    *out = Text::kept(alarm.into_bytes());
+    *out = granlaw_text::kept(alarm.into_bytes());
     true
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_probe_pack(p: *mut Probing, out: *mut Text) -> granlaw_status {
+unsafe extern "C" fn granlaw_probe_pack(p: *mut Probing, out: *mut granlaw_text) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (p, out) = unsafe { (&mut *p, &mut *out) };
-        *out = Text::json(&p.session.take().ok_or_else(over)?.finish())?;
+        *out = granlaw_text::json(&p.session.take().ok_or_else(over)?.finish())?;
         Ok(())
     })
 }
@@ -194,14 +196,14 @@ unsafe extern "C" fn granlaw_probe_pack(p: *mut Probing, out: *mut Text) -> gran
 #[no_mangle]
 unsafe extern "C" fn granlaw_probe_write(
     path: *const c_char,
-    ranks: *const Text,
+    ranks: *const granlaw_text,
     n: usize,
 ) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives a C string and as many texts as ranks.
         let (path, texts) = unsafe { (text(path), slice(ranks, n)) };
         // SAFETY: as above.
-        let whole: Probe = unsafe { Text::merged(texts, Probe::merge) }?;
+        let whole: Probe = unsafe { granlaw_text::merged(texts, Probe::merge) }?;
         whole.write(Path::new(&path)).map_err(|e| Failure::refused(e.to_string()))
     })
 }

@@ -1,7 +1,10 @@
-//! Writes what the C++ half sees of a chain into a trace. The structs are those of `cpp/recorder.hpp`, field by field.
-use granlaw::law::{Gap, Settings, Surface, ATOM_PROPS};
+//! Writes what the C++ half sees of a chain into a trace. The structs are those of `cpp/boundary.h`.
+use crate::boundary::{
+    granlaw_recorded_call, granlaw_recorded_chain, granlaw_recorded_law, granlaw_recorded_particles,
+};
+use granlaw::law::{Gap, Settings, Surface};
 use granlaw::laws::LAWS;
-use granlaw_capi::abi::{granlaw_force_data, granlaw_pass, granlaw_status, granlaw_surfaces_intersect_data};
+use granlaw_capi::abi::granlaw_status;
 use granlaw_capi::convert::{contact, parted, settings, slice};
 use granlaw_capi::status::{boundary, Failure};
 use granlaw_tools::trace::{Handed, Header, LawSpec, Particle, Property, Row, TraceError, Writer};
@@ -17,62 +20,6 @@ pub struct Recorder {
     row: Row,
     /// Opened when the first contact pass begins, because the head names the particles.
     writer: Option<Writer<File>>,
-}
-
-#[repr(C)]
-pub struct RecordedLaw {
-    kind: i32,
-    index: i32,
-    keyword: *const c_char,
-    taken_over: bool,
-    offset: usize,
-    options: *const i32,
-    values: *const *const f64,
-}
-
-#[repr(C)]
-pub struct RecordedChain {
-    path: *const c_char,
-    liggghts: *const c_char,
-    deck: *const c_char,
-    units: *const c_char,
-    who: *const c_char,
-    rank: i32,
-    ranks: i32,
-    every: u64,
-    types: usize,
-    nktv2p: f64,
-    dt: f64,
-    laws: *const RecordedLaw,
-    n_laws: usize,
-    slots: *const *const c_char,
-    n_slots: usize,
-    given: [bool; ATOM_PROPS],
-}
-
-#[repr(C)]
-pub struct RecordedParticles {
-    pub(crate) n: usize,
-    pub(crate) tag: *const i32,
-    pub(crate) kind: *const i32,
-    pub(crate) radius: *const f64,
-    pub(crate) mass: *const f64,
-    pub(crate) x: *const f64,
-    pub(crate) v: *const f64,
-    pub(crate) omega: *const f64,
-}
-
-#[repr(C)]
-pub struct RecordedCall {
-    pub(crate) pass: *const granlaw_pass,
-    pub(crate) contact: *const granlaw_surfaces_intersect_data,
-    pub(crate) touch: bool,
-    pub(crate) mi: f64,
-    pub(crate) mj: f64,
-    pub(crate) before: *const f64,
-    pub(crate) after: *const f64,
-    pub(crate) i_forces: *const granlaw_force_data,
-    pub(crate) j_forces: *const granlaw_force_data,
 }
 
 fn failed(e: TraceError) -> Failure {
@@ -91,7 +38,7 @@ pub(crate) unsafe fn text(s: *const c_char) -> String {
 
 /// # Safety
 /// Pointers and lengths of `c` belong together.
-pub(crate) unsafe fn header(c: &RecordedChain) -> Result<Header, Failure> {
+pub(crate) unsafe fn header(c: &granlaw_recorded_chain) -> Result<Header, Failure> {
     // SAFETY: as the caller promises, in this block.
     unsafe {
         let laws = slice(c.laws, c.n_laws).iter().map(|l| law(l, c.types)).collect::<Result<_, _>>()?;
@@ -116,14 +63,14 @@ pub(crate) unsafe fn header(c: &RecordedChain) -> Result<Header, Failure> {
 }
 
 /// The properties of single atoms that the deck gives and a law reads.
-fn atoms(c: &RecordedChain) -> Vec<String> {
+fn atoms(c: &granlaw_recorded_chain) -> Vec<String> {
     let all = LAWS.iter().flat_map(|e| e.meta.atoms);
     all.filter(|a| c.given[a.place]).map(|a| a.name.to_string()).collect()
 }
 
 /// # Safety
 /// As [`header`].
-unsafe fn law(l: &RecordedLaw, types: usize) -> Result<LawSpec, Failure> {
+unsafe fn law(l: &granlaw_recorded_law, types: usize) -> Result<LawSpec, Failure> {
     let kind = granlaw::law::Kind::ALL[l.kind as usize].name().to_string();
     // SAFETY: as the caller promises.
     let keyword = unsafe { text(l.keyword) };
@@ -152,7 +99,10 @@ fn options(s: &Settings) -> std::collections::BTreeMap<String, String> {
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_record_open(c: *const RecordedChain, out: *mut *mut Recorder) -> granlaw_status {
+unsafe extern "C" fn granlaw_record_open(
+    c: *const granlaw_recorded_chain,
+    out: *mut *mut Recorder,
+) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (c, out) = unsafe { (&*c, &mut *out) };
@@ -164,7 +114,10 @@ unsafe extern "C" fn granlaw_record_open(c: *const RecordedChain, out: *mut *mut
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_record_again(r: *mut Recorder, c: *const RecordedChain) -> granlaw_status {
+unsafe extern "C" fn granlaw_record_again(
+    r: *mut Recorder,
+    c: *const granlaw_recorded_chain,
+) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (r, mut header) = unsafe { (&mut *r, header(&*c)?) };
@@ -181,7 +134,10 @@ unsafe extern "C" fn granlaw_record_again(r: *mut Recorder, c: *const RecordedCh
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_record_begin(r: *mut Recorder, p: *const RecordedParticles) -> granlaw_status {
+unsafe extern "C" fn granlaw_record_begin(
+    r: *mut Recorder,
+    p: *const granlaw_recorded_particles,
+) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers; the arrays have n particles.
         let (r, p) = unsafe { (&mut *r, &*p) };
@@ -194,12 +150,12 @@ unsafe extern "C" fn granlaw_record_begin(r: *mut Recorder, p: *const RecordedPa
 
 /// # Safety
 /// The arrays have `p.n` particles.
-unsafe fn particles(p: &RecordedParticles) -> Vec<Particle> {
+unsafe fn particles(p: &granlaw_recorded_particles) -> Vec<Particle> {
     let three = |v: &[f64], k: usize| Vector3::new(v[3 * k], v[3 * k + 1], v[3 * k + 2]);
     // SAFETY: as the caller promises, in this block.
     let (tag, kind, radius, mass, x, v, omega) = unsafe {
         let n = p.n;
-        let s = (slice(p.tag, n), slice(p.kind, n), slice(p.radius, n), slice(p.mass, n));
+        let s = (slice(p.tag, n), slice(p.type_, n), slice(p.radius, n), slice(p.mass, n));
         (s.0, s.1, s.2, s.3, slice(p.x, 3 * n), slice(p.v, 3 * n), slice(p.omega, 3 * n))
     };
     let one = |k: usize| Particle {
@@ -215,7 +171,10 @@ unsafe fn particles(p: &RecordedParticles) -> Vec<Particle> {
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_record_call(r: *mut Recorder, c: *const RecordedCall) -> granlaw_status {
+unsafe extern "C" fn granlaw_record_call(
+    r: *mut Recorder,
+    c: *const granlaw_recorded_call,
+) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (r, c) = unsafe { (&mut *r, &*c) };
@@ -230,7 +189,7 @@ unsafe extern "C" fn granlaw_record_call(r: *mut Recorder, c: *const RecordedCal
 ///
 /// # Safety
 /// Pointers of `c` are valid; histories have `n` numbers.
-pub(crate) unsafe fn fill(c: &RecordedCall, n: usize, row: &mut Row) {
+pub(crate) unsafe fn fill(c: &granlaw_recorded_call, n: usize, row: &mut Row) {
     // SAFETY: as the caller promises, in this block.
     let (pass, s, before, after, fi, fj) =
         unsafe { (&*c.pass, &*c.contact, slice(c.before, n), slice(c.after, n), &*c.i_forces, &*c.j_forces) };

@@ -127,7 +127,7 @@ fn a_case_that_proves_less_than_its_deck_asks_for_is_seen() {
 fn where_liggghts_is_missing_a_live_test_is_skipped_by_name_or_fails() {
     let require = "GRANLAW_REQUIRE_LIGGGHTS";
     let mut tests = Command::new(std::env::current_exe().unwrap());
-    tests.args(["--exact", "planted::each_fault_turns_its_own_check_red"]).env("PATH", "/nowhere");
+    tests.args(["--exact", "decks::planted::each_fault_turns_its_own_check_red"]).env("PATH", "/nowhere");
     Said::of(tests.env_remove(require))
         .ends(0, &["skipped: each_fault_turns_its_own_check_red: liggghts is not in PATH", "1 passed"]);
     Said::of(tests.env(require, "1"))

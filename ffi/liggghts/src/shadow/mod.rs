@@ -1,7 +1,6 @@
-//! Holds what the C++ half sees of all chains against the Rust laws. The structs are those of `cpp/recorder.hpp` and
-//! `cpp/shadow.hpp`.
-use crate::recorder::{fill, header, text, RecordedCall, RecordedChain};
-use crate::text::Text;
+//! Holds what the C++ half sees of all chains against the Rust laws. The structs are those of `cpp/boundary.h`.
+use crate::boundary::{granlaw_recorded_call, granlaw_recorded_chain, granlaw_text};
+use crate::recorder::{fill, header, text};
 use granlaw_capi::abi::granlaw_status;
 use granlaw_capi::convert::slice;
 use granlaw_capi::status::{boundary, Failure};
@@ -53,7 +52,7 @@ unsafe extern "C" fn granlaw_shadow_new(
 #[no_mangle]
 unsafe extern "C" fn granlaw_shadow_chain(
     s: *mut Shadowing,
-    c: *const RecordedChain,
+    c: *const granlaw_recorded_chain,
     out: *mut usize,
 ) -> granlaw_status {
     boundary(|| {
@@ -80,7 +79,7 @@ unsafe extern "C" fn granlaw_shadow_chain(
 unsafe extern "C" fn granlaw_shadow_call(
     s: *mut Shadowing,
     chain: usize,
-    c: *const RecordedCall,
+    c: *const granlaw_recorded_call,
 ) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
@@ -121,31 +120,31 @@ impl Shadowing {
 }
 
 #[no_mangle]
-unsafe extern "C" fn granlaw_shadow_pack(s: *mut Shadowing, out: *mut Text) -> granlaw_status {
+unsafe extern "C" fn granlaw_shadow_pack(s: *mut Shadowing, out: *mut granlaw_text) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers.
         let (s, out) = unsafe { (&mut *s, &mut *out) };
         s.flush()?;
         let session = s.session.take().ok_or_else(over)?;
-        *out = Text::json(&session.finish())?;
+        *out = granlaw_text::json(&session.finish())?;
         Ok(())
     })
 }
 
 #[no_mangle]
 unsafe extern "C" fn granlaw_shadow_tell(
-    ranks: *const Text,
+    ranks: *const granlaw_text,
     n: usize,
     tolerance: f64,
-    words: *mut Text,
+    words: *mut granlaw_text,
     status: *mut i32,
 ) -> granlaw_status {
     boundary(|| {
         // SAFETY: the C++ half gives valid pointers and as many texts as ranks.
         let (texts, words, status) = unsafe { (slice(ranks, n), &mut *words, &mut *status) };
         // SAFETY: as above.
-        let whole: Shadow = unsafe { Text::merged(texts, Shadow::merge) }?;
-        *words = Text::kept(whole.text(tolerance).into_bytes());
+        let whole: Shadow = unsafe { granlaw_text::merged(texts, Shadow::merge) }?;
+        *words = granlaw_text::kept(whole.text(tolerance).into_bytes());
         *status = whole.verdict(tolerance).exit_code().into();
         Ok(())
     })
