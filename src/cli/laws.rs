@@ -1,7 +1,7 @@
 //! `granlaw laws`: lists the laws and what they need.
 use crate::console;
 use anyhow::bail;
-use granlaw::law::{Entry, Kind, Need, Newton, Prop, Setting, Support};
+use granlaw::model::{Entry, Kind, Need, Newton, Prop, Setting, Support};
 use granlaw::laws::LAWS;
 use granlaw_tools::spelling;
 use serde_json::{json, Value};

@@ -1,5 +1,5 @@
 //! The longest stable time steps, by theory, and what LIGGGHTS's own check says.
-use crate::law::Swing;
+use crate::model::Swing;
 use std::f64::consts::PI;
 
 /// Up to this times π/ω no contact of `granlaw stability`'s maps creates energy, but for those without any damping, whose

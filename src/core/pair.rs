@@ -4,7 +4,7 @@
 //! full-step velocities that may not write history; then per step half a kick, the drift, an evaluation that sees
 //! half-step velocities, and the other half of the kick. A pair then moves bit for bit as in LIGGGHTS.
 use crate::chain::Chain;
-use crate::law::{Body, Call, Contact, Gap, Stage};
+use crate::model::{Body, Call, Contact, ClosePair, Response};
 use nalgebra::Vector3;
 
 /// What stands against body i.
@@ -65,7 +65,7 @@ pub struct State {
     /// What the laws saw; the surface is zero unless they touch.
     pub contact: Contact,
     /// What they answered.
-    pub stage: Stage,
+    pub response: Response,
     /// The history after it.
     pub history: Vec<f64>,
 }
@@ -85,7 +85,7 @@ pub fn run_while(chain: &mut Chain, start: &Start, mut each: impl FnMut(&State) 
         bodies: start.bodies,
         touching: false,
         contact: Contact::default(),
-        stage: Stage::default(),
+        response: Response::default(),
         history: vec![0.0; chain.row()],
     };
     evaluate(chain, start, &mut s, false);
@@ -117,8 +117,8 @@ pub fn moving<'a>(start: &Start, bodies: &'a mut [Body; 2]) -> impl Iterator<Ite
 
 fn kick(start: &Start, s: &mut State) {
     let half = 0.5 * start.dt;
-    let forces = [s.stage.force, -s.stage.force];
-    let torques = [s.stage.torque_i, s.stage.torque_j];
+    let forces = [s.response.force, -s.response.force];
+    let torques = [s.response.torque_i, s.response.torque_j];
     for ((body, force), torque) in moving(start, &mut s.bodies).zip(forces).zip(torques) {
         // LIGGGHTS adds gravity to the contact force before it divides by the mass.
         let force = force + body.mass * start.gravity;
@@ -132,32 +132,32 @@ fn evaluate(chain: &mut Chain, start: &Start, s: &mut State, update: bool) {
     let is_wall = matches!(start.partner, Partner::Plane { .. });
     let call = Call { dt: start.dt, step: s.step, update, counts: update, is_wall };
     let (gap, overlap) = approach(start, &s.bodies, call);
-    s.stage = Stage::default();
+    s.response = Response::default();
     s.touching = if is_wall { overlap >= 0.0 } else { gap.rsq < square(gap.i.radius + gap.j.radius) };
-    s.contact = Contact { gap, ..Contact::default() };
+    s.contact = Contact { close: gap, ..Contact::default() };
     if s.touching {
         s.contact = if is_wall { Contact::wall(gap, overlap) } else { Contact::pair(gap) };
-        chain.touch(start.types, &s.contact, &mut s.history, &mut s.stage);
+        chain.surfaces_intersect(start.types, &s.contact, &mut s.history, &mut s.response);
     } else if start.opened == Opened::Closes {
-        chain.apart(start.types, &gap, &mut s.history, &mut s.stage);
+        chain.surfaces_close(start.types, &gap, &mut s.history, &mut s.response);
     }
 }
 
 /// How the bodies lie to each other, and the overlap with a plane \[m\].
-pub fn approach(start: &Start, bodies: &[Body; 2], call: Call) -> (Gap, f64) {
+pub fn approach(start: &Start, bodies: &[Body; 2], call: Call) -> (ClosePair, f64) {
     let [i, mut j] = *bodies;
     if let Partner::Plane { point, normal } = start.partner {
         let distance = normal.dot(&(i.x - point));
         let delta = normal * distance;
         let j = Body { tag: -1, x: i.x - delta, ..Body::default() };
-        let gap = Gap { call, i, j, delta, rsq: square(distance), meff: 0.0 };
+        let gap = ClosePair { call, i, j, delta, rsq: square(distance), meff: 0.0 };
         return (gap.weighed(), i.radius - distance);
     }
     let delta = i.x - j.x;
     if start.partner == Partner::Frozen {
         j.frozen = true;
     }
-    let gap = Gap { call, i, j, delta, rsq: crate::lane::dot(&delta, &delta), meff: 0.0 };
+    let gap = ClosePair { call, i, j, delta, rsq: crate::lane::dot(&delta, &delta), meff: 0.0 };
     (gap.weighed(), 0.0)
 }
 
@@ -168,7 +168,7 @@ fn square(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::{Kind, Settings, Setup, Values};
+    use crate::model::{Kind, Settings, Setup, Values};
     use crate::laws::find;
 
     fn chain(laws: &[(Kind, &str)]) -> Chain {
@@ -239,7 +239,7 @@ mod tests {
         let all = states(&mut chain(&[(Kind::Normal, "hooke")]), &s);
         let end = all.last().unwrap();
         assert_eq!(end.bodies[1], s.bodies[1]);
-        assert_eq!(end.contact.gap.meff, 1e-3);
+        assert_eq!(end.contact.close.meff, 1e-3);
         approx::assert_relative_eq!(end.bodies[0].v.x, -0.5, max_relative = 1e-6);
     }
 
@@ -274,7 +274,7 @@ mod tests {
         (s.bodies[0].x.x, s.bodies[0].v.y) = (-0.00498, 1.0);
         let all = states(&mut chain(&[(Kind::Normal, "hooke"), (Kind::Tangential, "history")]), &s);
         assert_eq!((all[0].step, all[1].step), (40, 41));
-        assert!(all[0].touching && all[0].stage.fn_ > 0.0);
+        assert!(all[0].touching && all[0].response.fn_ > 0.0);
         assert_eq!(all[0].history, [0.0; 3]);
         // One step at half-step velocity, which the first half kick along x does not turn.
         approx::assert_relative_eq!(all[1].history[1], 1e-6, max_relative = 1e-3);

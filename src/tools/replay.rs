@@ -6,7 +6,7 @@ use crate::compare::{across, gap, Follow, Quantity, Spot};
 use crate::report::Curve;
 use crate::trace::{Header, HeaderError, Reader, Row, TraceError};
 use granlaw::chain::Chain;
-use granlaw::law::{Contact, Stage, Surface};
+use granlaw::model::{Contact, Response, Surface};
 use nalgebra::Vector3;
 use std::io::Read;
 use std::path::Path;
@@ -100,8 +100,8 @@ impl Again {
     /// Overlap and normal force for the plots.
     fn shown(&self, row: &Row) -> (f64, f64) {
         match row.touch {
-            true => (self.surface.deltan, self.stage.fn_),
-            false => (gap(row), across(row, &self.stage.force)),
+            true => (self.surface.deltan, self.response.fn_),
+            false => (gap(row), across(row, &self.response.force)),
         }
     }
 }
@@ -109,25 +109,25 @@ impl Again {
 /// The Rust answer to one call.
 #[derive(Default)]
 struct Again {
-    stage: Stage,
+    response: Response,
     history: Vec<f64>,
     surface: Surface,
 }
 
 impl Again {
     fn run(&mut self, chain: &mut Chain, row: &Row) {
-        self.stage = Stage::default();
+        self.response = Response::default();
         self.history.clone_from(&row.before);
         if row.touch {
-            chain.touch(row.types, &row.contact(), &mut self.history, &mut self.stage);
-            let own = if row.gap.call.is_wall {
-                Contact::wall(row.gap, row.surface.deltan)
+            chain.surfaces_intersect(row.types, &row.contact(), &mut self.history, &mut self.response);
+            let own = if row.close.call.is_wall {
+                Contact::wall(row.close, row.surface.deltan)
             } else {
-                Contact::pair(row.gap)
+                Contact::pair(row.close)
             };
             self.surface = own.surface;
         } else {
-            chain.apart(row.types, &row.gap, &mut self.history, &mut self.stage);
+            chain.surfaces_close(row.types, &row.close, &mut self.history, &mut self.response);
             self.surface = Surface::default();
         }
     }
@@ -161,10 +161,10 @@ impl Sums {
     }
 
     fn add(&mut self, line: u64, row: &Row, again: &Again) {
-        let at = Spot { step: row.gap.call.step, tags: (row.gap.i.tag, row.gap.j.tag), line };
-        let s = &again.stage;
+        let at = Spot { step: row.close.call.step, tags: (row.close.i.tag, row.close.j.tag), line };
+        let s = &again.response;
         // LIGGGHTS applies no force to a wall.
-        let on_j = if row.gap.call.is_wall { Vector3::zeros() } else { -s.force };
+        let on_j = if row.close.call.is_wall { Vector3::zeros() } else { -s.force };
         self.force.vector(at, &s.force, &row.force_i);
         self.force.vector(at, &on_j, &row.force_j);
         self.torque.vector(at, &s.torque_i, &row.torque_i);

@@ -41,10 +41,10 @@ fn retraced(session: &mut Session, trace: &Path) {
     let mut row = Row::default();
     while reader.read(&mut row).expect("a row") {
         let follower = session.follower(at);
-        if !row.touch && row.gap.call.update {
-            follower.across(row.types, &row.gap, &row.before);
+        if !row.touch && row.close.call.update {
+            follower.across(row.types, &row.close, &row.before);
         }
-        if !row.touch || !follower.sees((row.gap.i.tag, row.gap.j.tag)) || !row.gap.call.update {
+        if !row.touch || !follower.sees((row.close.i.tag, row.close.j.tag)) || !row.close.call.update {
             continue;
         }
         let x = row.contact();

@@ -1,5 +1,5 @@
 //! The shadow of a run: what counts as a difference, how large it is, and what is told of it.
-use granlaw::law::Body;
+use granlaw::model::Body;
 use granlaw::pair::{states, Opened, Partner, Start};
 use granlaw_tools::shadow::{Session, Shadow, Verdict};
 use granlaw_tools::trace::{Handed, Header, LawSpec, Property, Row};
@@ -68,12 +68,12 @@ fn rows() -> Vec<Row> {
     let touching = all.windows(2).filter(|w| w[1].touching);
     let rows: Vec<_> = touching
         .map(|w| {
-            let (s, x) = (&w[1].stage, &w[1].contact);
+            let (s, x) = (&w[1].response, &w[1].contact);
             Row {
                 computeflag: 1,
                 shearupdate: 1,
                 touch: true,
-                gap: x.gap,
+                close: x.close,
                 surface: x.surface,
                 before: w[0].history.clone(),
                 after: w[1].history.clone(),
@@ -133,7 +133,7 @@ fn every_number_of_the_answer_counts() {
             "{what}"
         );
         let worst = chain.worst[measure].as_ref().expect(what);
-        assert_eq!((worst.what.as_str(), worst.tags, worst.step), (what, (7, 8), rows()[40].gap.call.step));
+        assert_eq!((worst.what.as_str(), worst.tags, worst.step), (what, (7, 8), rows()[40].close.call.step));
         assert!(worst.error > 0.0 && worst.error < 1e-2 && s.verdict(1e-2) == Verdict::Agreed, "{worst:?}");
         assert_eq!(chain.worst.iter().flatten().count(), 1, "{what}");
     }
@@ -286,13 +286,13 @@ fn a_share_of_a_wall_counts_in_part() {
     let at = session.chain(header("wall mesh"));
     let mut row = rows()[10].clone();
     // As seen from a wall: no force on it, and nothing of it but its velocity.
-    row.gap.call.is_wall = true;
+    row.close.call.is_wall = true;
     let mut chain = header("wall mesh").chain().unwrap();
-    let mut stage = granlaw::law::Stage::default();
+    let mut response = granlaw::model::Response::default();
     row.after.clone_from(&row.before);
-    chain.touch((0, 0), &row.contact(), &mut row.after, &mut stage);
-    (row.force_i, row.torque_i) = (stage.force * 0.25, stage.torque_i * 0.25);
-    (row.force_j, row.torque_j) = (Vector3::zeros(), stage.torque_j);
+    chain.surfaces_intersect((0, 0), &row.contact(), &mut row.after, &mut response);
+    (row.force_i, row.torque_i) = (response.force * 0.25, response.torque_i * 0.25);
+    (row.force_j, row.torque_j) = (Vector3::zeros(), response.torque_j);
     session.call(at, &row, 0.25);
     assert_eq!(session.finish().error(), 0.0);
 }
@@ -317,7 +317,7 @@ fn what_is_told_of_the_worst() {
     let row = &rows()[40];
     let inputs = lines[5].split(": ").nth(1).unwrap();
     for (name, value) in
-        [("x_i.x", row.gap.i.x.x), ("deltan", row.surface.deltan), ("before.sheary", row.before[1])]
+        [("x_i.x", row.close.i.x.x), ("deltan", row.surface.deltan), ("before.sheary", row.before[1])]
     {
         let told = inputs.split(' ').find_map(|w| w.strip_prefix(&format!("{name}="))).expect(name);
         assert_eq!(told.parse::<f64>().unwrap(), value, "{name}");

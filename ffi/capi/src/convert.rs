@@ -2,8 +2,8 @@
 use crate::abi::*;
 use crate::call;
 use crate::status::Failure;
-use granlaw::chain::Done;
-use granlaw::law::{Body, Contact, Gap, Meta, Settings, Setup, Stage, Surface, Values};
+use granlaw::chain::ChainEffects;
+use granlaw::model::{Body, Contact, ClosePair, Meta, Settings, Setup, Response, Surface, Values};
 use granlaw::laws::LAWS;
 use nalgebra::Vector3;
 use std::slice::from_raw_parts;
@@ -140,7 +140,7 @@ unsafe fn vector(p: *const f64) -> Vector3<f64> {
 /// # Safety
 /// The pointers and indices of `s` are valid for the arrays of the pass.
 #[inline(always)]
-unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> Gap {
+unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> ClosePair {
     // SAFETY: as the caller promises, in this block; a wall has no place in the arrays.
     unsafe {
         let place =
@@ -172,13 +172,13 @@ unsafe fn gap(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 
             let (v, given) = (vector(s.v_j), given(s.j));
             Body { tag: tag(s.j), radius: s.radj, mass, frozen, x, v, omega, given }
         };
-        Gap { call: call(pass, s, i.tag, j.tag), i, j, delta, rsq: s.rsq, meff: 0.0 }
+        ClosePair { call: call(pass, s, i.tag, j.tag), i, j, delta, rsq: s.rsq, meff: 0.0 }
     }
 }
 
 /// # Safety
 /// As [`gap`].
-pub unsafe fn parted(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> Gap {
+pub unsafe fn parted(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, mass: [f64; 2]) -> ClosePair {
     // SAFETY: as the caller promises.
     unsafe { gap(pass, s, mass) }.weighed()
 }
@@ -197,7 +197,7 @@ pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) 
     };
     let vtr = Vector3::new(s.vtr1, s.vtr2, s.vtr3);
     let surface = Surface { r: s.r, deltan: s.deltan, vn: s.vn, en: s.en.into(), vtr, roll, cri: s.cri, crj };
-    Contact { gap, surface }
+    Contact { close: gap, surface }
 }
 
 /// Whether nothing that the laws read of the motion is NaN or infinite.
@@ -205,12 +205,12 @@ pub unsafe fn contact(pass: &granlaw_pass, s: &granlaw_surfaces_intersect_data) 
 pub fn finite(x: &Contact) -> bool {
     let s = &x.surface;
     // Any NaN or infinity survives the sum; finite numbers of a simulation do not overflow it.
-    (s.deltan + s.vn + s.en.sum() + s.vtr.sum() + s.roll.sum() + s.cri + s.crj + x.gap.meff).is_finite()
+    (s.deltan + s.vn + s.en.sum() + s.vtr.sum() + s.roll.sum() + s.cri + s.crj + x.close.meff).is_finite()
 }
 
 /// The same of two bodies that do not touch.
 #[inline]
-pub fn finite_apart(x: &Gap) -> bool {
+pub fn finite_apart(x: &ClosePair) -> bool {
     let moves = |b: &Body| b.x.sum() + b.v.sum() + b.omega.sum();
     (x.delta.sum() + moves(&x.i) + moves(&x.j)).is_finite()
 }
@@ -219,21 +219,21 @@ pub fn finite_apart(x: &Gap) -> bool {
 #[cold]
 pub fn non_finite(laws: impl Iterator<Item = &'static Meta>, x: &Contact) -> Failure {
     let laws: Vec<_> = laws.map(|m| m.keyword).collect();
-    let partner = if x.gap.call.is_wall { "a wall".into() } else { format!("particle {}", x.gap.j.tag) };
+    let partner = if x.close.call.is_wall { "a wall".into() } else { format!("particle {}", x.close.j.tag) };
     Failure::non_finite(format!(
         "{}: the contact of particle {} with {partner} at step {} is not finite (overlap {:e} m, normal velocity {:e} m/s); reduce the time step or check the input",
-        laws.join(" + "), x.gap.i.tag, x.gap.call.step, x.surface.deltan, x.surface.vn,
+        laws.join(" + "), x.close.i.tag, x.close.call.step, x.surface.deltan, x.surface.vn,
     ))
 }
 
 /// What the chain begins with: the torques that LIGGGHTS's laws before it have given to this contact.
 #[inline]
-pub fn stage(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Stage {
+pub fn response(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Response {
     let mut torque_i = Vector3::from(fi.delta_torque);
     if s.is_wall && s.area_ratio != 1.0 {
         whole(&mut torque_i, s.area_ratio);
     }
-    Stage { torque_i, torque_j: fj.delta_torque.into(), ..Stage::default() }
+    Response { torque_i, torque_j: fj.delta_torque.into(), ..Response::default() }
 }
 
 /// The torque of a wall contact that counts only in part; one that does not count at all is zero.
@@ -249,7 +249,7 @@ fn whole(torque: &mut Vector3<f64>, share: f64) {
 /// # Safety
 /// The arrays of the pass reach as far as the indices of `s`.
 #[inline]
-pub unsafe fn add_outputs(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, done: &Done) {
+pub unsafe fn add_outputs(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, done: &ChainEffects) {
     for (place, to) in pass.outputs.iter().enumerate().filter(|(_, to)| !to.is_null()) {
         // SAFETY: as the caller promises.
         unsafe {
@@ -264,8 +264,8 @@ pub unsafe fn add_outputs(pass: &granlaw_pass, s: &granlaw_surfaces_close_data, 
 /// Add the force, the opposite one to j and none to a wall; the torques hold what was there before.
 #[inline]
 pub fn hand_out(
-    stage: &Stage,
-    done: &Done,
+    response: &Response,
+    done: &ChainEffects,
     s: &granlaw_surfaces_close_data,
     fi: &mut granlaw_force_data,
     fj: &mut granlaw_force_data,
@@ -275,12 +275,12 @@ pub fn hand_out(
         (fi.delta_F, fj.delta_F) = ([0.0; 3], [0.0; 3]);
     }
     for k in 0..3 {
-        fi.delta_F[k] += stage.force[k] * share;
-        fi.delta_torque[k] = stage.torque_i[k] * share;
+        fi.delta_F[k] += response.force[k] * share;
+        fi.delta_torque[k] = response.torque_i[k] * share;
         // LIGGGHTS's rolling laws turn a wall too, though nobody reads it.
-        fj.delta_torque[k] = stage.torque_j[k];
+        fj.delta_torque[k] = response.torque_j[k];
         if !s.is_wall {
-            fj.delta_F[k] -= stage.force[k];
+            fj.delta_F[k] -= response.force[k];
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `LAWS` as C sees them, built once and kept for ever.
 use crate::abi::*;
 use crate::c_string;
-use granlaw::law::{AtomProp, Entry, Kind, Need, Newton, Prop, Reach, Setting, Shape, Slot, Support};
+use granlaw::model::{AtomProp, Entry, Kind, Need, Newton, Prop, Reach, Setting, Shape, Slot, Support};
 use granlaw::laws::LAWS;
 use std::ffi::c_char;
 use std::sync::OnceLock;

@@ -12,8 +12,8 @@ mod descriptor;
 pub mod status;
 
 use abi::*;
-use granlaw::chain::{Bonds, Chain, Done, Wall};
-use granlaw::law::{Call, Contact, Stage};
+use granlaw::chain::{Bonds, Chain, ChainEffects, Wall};
+use granlaw::model::{Call, Contact, Response};
 use granlaw::laws::LAWS;
 use status::{boundary, Failure};
 use std::ffi::{c_char, CString};
@@ -234,17 +234,17 @@ pub unsafe extern "C" fn granlaw_surfaces_intersect(
         if !convert::finite(&x) {
             return Err(convert::non_finite(c.chain.laws(), &x));
         }
-        let mut stage = convert::stage(&s.close, fi, fj);
-        (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat) = (s.Fn, s.kn, s.kt, s.gamman, s.gammat);
+        let mut response = convert::response(&s.close, fi, fj);
+        (response.fn_, response.kn, response.kt, response.gamman, response.gammat) = (s.Fn, s.kn, s.kt, s.gamman, s.gammat);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.close.contact_history, c.chain.row()) }?;
-        let done = c.chain.touch(types, &x, row, &mut stage);
-        (s.Fn, s.kn, s.kt, s.gamman, s.gammat) = (stage.fn_, stage.kn, stage.kt, stage.gamman, stage.gammat);
+        let done = c.chain.surfaces_intersect(types, &x, row, &mut response);
+        (s.Fn, s.kn, s.kt, s.gamman, s.gammat) = (response.fn_, response.kn, response.kt, response.gamman, response.gammat);
         // SAFETY: contact_flags is NULL or valid.
         unsafe { mark(s.close.contact_flags, &done) };
         // SAFETY: the arrays of the pass reach as far as its indices.
         unsafe { convert::add_outputs(&c.pass, &s.close, &done) };
-        convert::hand_out(&stage, &done, &s.close, fi, fj);
+        convert::hand_out(&response, &done, &s.close, fi, fj);
         Ok(())
     })
 }
@@ -268,18 +268,18 @@ pub unsafe extern "C" fn granlaw_surfaces_close(
         // SAFETY: the gap's pointers and indices are LIGGGHTS's own and match the arrays of the pass.
         let x = unsafe { convert::parted(&c.pass, s, [mi, mj]) };
         if !convert::finite_apart(&x) {
-            return Err(convert::non_finite(c.chain.laws(), &Contact { gap: x, ..Contact::default() }));
+            return Err(convert::non_finite(c.chain.laws(), &Contact { close: x, ..Contact::default() }));
         }
-        let mut stage = convert::stage(s, fi, fj);
+        let mut response = convert::response(s, fi, fj);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.contact_history, c.chain.row()) }?;
-        let done = c.chain.apart(types, &x, row, &mut stage);
+        let done = c.chain.surfaces_close(types, &x, row, &mut response);
         // SAFETY: contact_flags is NULL or valid.
         unsafe { mark(s.contact_flags, &done) };
         // SAFETY: the arrays of the pass reach as far as its indices.
         unsafe { convert::add_outputs(&c.pass, s, &done) };
-        s.has_force_update |= done.acts || stage.force != Stage::<f64>::default().force;
-        convert::hand_out(&stage, &done, s, fi, fj);
+        s.has_force_update |= done.acts || response.force != Response::<f64>::default().force;
+        convert::hand_out(&response, &done, s, fi, fj);
         Ok(())
     })
 }
@@ -294,7 +294,7 @@ pub unsafe extern "C" fn granlaw_end_pass(chain: *mut granlaw_chain) -> granlaw_
 
 /// # Safety
 /// `flags` is NULL or valid for reading and writing.
-unsafe fn mark(flags: *mut i32, done: &Done) {
+unsafe fn mark(flags: *mut i32, done: &ChainEffects) {
     // SAFETY: as the caller promises.
     if let Some(flags) = unsafe { flags.as_mut() } {
         *flags = (*flags | done.set) & !done.clear;

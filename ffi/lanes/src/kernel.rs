@@ -2,7 +2,7 @@
 use crate::chunk::{At, Block, Chunk};
 use crate::unit::Unit;
 use granlaw::lane::Lanes;
-use granlaw::law::{Call, ForLanes, Law, LawError, Setup, Size, Slots, Stage};
+use granlaw::model::{Call, ForLanes, Law, LawError, Setup, Size, Slots, Response};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 
@@ -15,7 +15,7 @@ pub(crate) trait Kernel<L> {
     /// The parameters of one more contact, with this pair of types and this size.
     fn fit(&mut self, pair: usize, size: &Size);
     /// Run the law, `first` of the chain or not.
-    fn touch(&self, chunk: &mut Chunk<L>, call: &Call, first: bool);
+    fn surfaces_intersect(&self, chunk: &mut Chunk<L>, call: &Call, first: bool);
     /// Bytes in use.
     fn bytes(&self) -> usize;
 }
@@ -84,15 +84,15 @@ impl<W: Law, L: Unit> Prepared<W, L> {
         call: &Call,
         first: bool,
     ) {
-        let Block { surface, stage } = b;
+        let Block { surface, response } = b;
         let mut h = W::History::zero::<L>();
         self.read(at, &mut h);
         if first {
-            let mut new = Stage::default();
-            W::touch::<L>(p, call, surface, &mut h, &mut new);
-            *stage = new;
+            let mut new = Response::default();
+            W::surfaces_intersect::<L>(p, call, surface, &mut h, &mut new);
+            *response = new;
         } else {
-            W::touch::<L>(p, call, surface, &mut h, stage);
+            W::surfaces_intersect::<L>(p, call, surface, &mut h, response);
         }
         self.keep(at, &h);
     }
@@ -198,7 +198,7 @@ impl<W: Law, L: Unit> Kernel<L> for Prepared<W, L> {
         }
     }
 
-    fn touch(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) {
+    fn surfaces_intersect(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) {
         L::run(
             #[inline(always)]
             || match &self.params {

@@ -21,7 +21,7 @@ pub use trouble::{NonFinite, Trouble};
 pub use unit::Width;
 
 use granlaw::lane::Pack;
-use granlaw::law::{LawError, Setup};
+use granlaw::model::{LawError, Setup};
 use pass::Pass;
 
 /// A chain that runs over all contacts of a step at once.

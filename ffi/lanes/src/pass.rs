@@ -8,7 +8,7 @@ use crate::seen::{size, Seen};
 use crate::trouble::Trouble;
 use crate::unit::Unit;
 use crate::Batch;
-use granlaw::law::{Call, LawError, Mark, Setup};
+use granlaw::model::{Call, LawError, ContactFlag, Setup};
 use granlaw::laws::made;
 
 /// A neighbour without a fit.
@@ -43,10 +43,10 @@ impl<L: Unit + 'static> Pass<L> {
             let meta = setup.law.meta;
             let Some(prepare) = made::<Kernels<L>>(setup) else { return Ok(None) };
             laws.push(prepare(setup, places)?);
-            match setup.law.liggghts.marks[0] {
-                Mark::Set => flags[0] |= 1 << meta.kind as i32,
-                Mark::Clear => flags[1] |= 1 << meta.kind as i32,
-                Mark::Leave => {}
+            match setup.law.liggghts.contact_flags[0] {
+                ContactFlag::Set => flags[0] |= 1 << meta.kind as i32,
+                ContactFlag::Clear => flags[1] |= 1 << meta.kind as i32,
+                ContactFlag::Leave => {}
             }
         }
         let row = places.iter().flatten().map(|at| at + 1).max().unwrap_or(0);
@@ -155,7 +155,7 @@ impl<L: Unit + 'static> Pass<L> {
         }
         let call = Call { dt: a.dt, step: a.step, update: a.update, ..Call::default() };
         for (k, law) in self.laws.iter().enumerate() {
-            law.touch(&mut self.chunk, &call, k == 0);
+            law.surfaces_intersect(&mut self.chunk, &call, k == 0);
         }
         self.chunk.hand_out(p, a.forced);
         if !a.flags.is_null() {

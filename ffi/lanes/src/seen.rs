@@ -1,7 +1,7 @@
 //! What fits depend on, as it was at the last pass: as long as nothing of it changes, fits are kept.
 use crate::arrays::Particles;
 use crate::unit::Unit;
-use granlaw::law::Size;
+use granlaw::model::Size;
 
 /// The particles as fits know them.
 #[derive(Default)]

@@ -1,6 +1,6 @@
 //! The batched pass behind C. The structs are those of `cpp/boundary.h`.
 use crate::boundary::{granlaw_account, granlaw_arrays};
-use granlaw::law::{Body, Contact, Gap, Meta, Surface};
+use granlaw::model::{Body, Contact, ClosePair, Meta, Surface};
 use granlaw_capi::abi::{granlaw_setup, granlaw_status};
 use granlaw_capi::convert::{non_finite, setups};
 use granlaw_capi::status::{boundary, Failure};
@@ -140,7 +140,7 @@ fn handed(a: &granlaw_arrays) -> Arrays {
 unsafe fn contact(a: &Arrays, at: &NonFinite) -> Contact {
     // SAFETY: as the caller promises.
     let body = |k: usize| Body { tag: i64::from(unsafe { *a.tag.add(k) }), ..Body::default() };
-    let mut gap = Gap { i: body(at.i), j: body(at.j), ..Gap::default() };
+    let mut gap = ClosePair { i: body(at.i), j: body(at.j), ..ClosePair::default() };
     gap.call.step = a.step;
-    Contact { gap, surface: Surface { deltan: at.deltan, vn: at.vn, ..Surface::default() } }
+    Contact { close: gap, surface: Surface { deltan: at.deltan, vn: at.vn, ..Surface::default() } }
 }

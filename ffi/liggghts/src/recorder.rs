@@ -2,7 +2,7 @@
 use crate::boundary::{
     granlaw_recorded_call, granlaw_recorded_chain, granlaw_recorded_law, granlaw_recorded_particles,
 };
-use granlaw::law::{Gap, Settings, Surface};
+use granlaw::model::{ClosePair, Settings, Surface};
 use granlaw::laws::LAWS;
 use granlaw_capi::abi::granlaw_status;
 use granlaw_capi::convert::{contact, parted, settings, slice};
@@ -71,7 +71,7 @@ fn atoms(c: &granlaw_recorded_chain) -> Vec<String> {
 /// # Safety
 /// As [`header`].
 unsafe fn law(l: &granlaw_recorded_law, types: usize) -> Result<LawSpec, Failure> {
-    let kind = granlaw::law::Kind::ALL[l.kind as usize].name().to_string();
+    let kind = granlaw::model::Kind::ALL[l.kind as usize].name().to_string();
     // SAFETY: as the caller promises.
     let keyword = unsafe { text(l.keyword) };
     let mut spec =
@@ -193,11 +193,11 @@ pub(crate) unsafe fn fill(c: &granlaw_recorded_call, n: usize, row: &mut Row) {
     // SAFETY: as the caller promises, in this block.
     let (pass, s, before, after, fi, fj) =
         unsafe { (&*c.pass, &*c.contact, slice(c.before, n), slice(c.after, n), &*c.i_forces, &*c.j_forces) };
-    let (gap, surface, handed): (Gap, Surface, Handed) = if c.touch {
+    let (gap, surface, handed): (ClosePair, Surface, Handed) = if c.touch {
         // SAFETY: the contact is LIGGGHTS's own and matches the pass.
         let x = unsafe { contact(pass, s) };
         let handed = Handed { fn_: s.Fn, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat };
-        (x.gap, x.surface, handed)
+        (x.close, x.surface, handed)
     } else {
         // SAFETY: as above.
         (unsafe { parted(pass, &s.close, [c.mi, c.mj]) }, Surface::default(), Handed::default())
@@ -212,7 +212,7 @@ pub(crate) unsafe fn fill(c: &granlaw_recorded_call, n: usize, row: &mut Row) {
         shearupdate: s.close.shearupdate,
         touch: c.touch,
         types: (s.close.itype as usize - 1, s.close.jtype as usize - 1),
-        gap,
+        close: gap,
         surface,
         before: own,
         after: then,

@@ -1,6 +1,6 @@
 //! What a chain asks of the program that finds its contacts: how far to look, and what its walls do.
 use super::Chain;
-use crate::law::{LawError, Reach};
+use crate::model::{LawError, Reach};
 
 /// What is known of a wall before the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

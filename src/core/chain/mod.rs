@@ -1,6 +1,6 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
-use crate::law::{
-    Call, Contact, Effects, Gap, Kernel, LawError, Life, Mark, Meta, Reach, Setup, Size, Stage, Swing, Terms,
+use crate::model::{
+    Call, Contact, Effects, ClosePair, Kernel, LawError, BondEvent, ContactFlag, Meta, Reach, Setup, Size, Response, Swing, Observation,
     ATOM_OUTPUTS,
 };
 
@@ -15,7 +15,7 @@ struct Link {
 
 /// What a chain does besides forces and history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Done {
+pub struct ChainEffects {
     /// Bits of LIGGGHTS's contact flags to set; `1 << kind`.
     pub set: i32,
     /// Bits to clear.
@@ -25,12 +25,12 @@ pub struct Done {
     /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
     pub replaces: bool,
     /// What becomes of the bond of the law that keeps bonds.
-    pub life: Life,
-    /// What is added to i and to j, by [`AtomProp::place`](crate::law::AtomProp::place).
+    pub bond_event: BondEvent,
+    /// What is added to i and to j, by [`AtomProp::place`](crate::model::AtomProp::place).
     pub outputs: [[f64; ATOM_OUTPUTS]; 2],
 }
 
-impl Done {
+impl ChainEffects {
     fn add(&mut self, e: &Effects) {
         for (all, own) in self.outputs.as_flattened_mut().iter_mut().zip(e.outputs.as_flattened()) {
             *all += own;
@@ -63,15 +63,15 @@ pub struct Bonds {
 }
 
 impl Bonds {
-    fn count(&mut self, call: &Call, life: Life) {
+    fn count(&mut self, call: &Call, event: BondEvent) {
         if self.step != call.step {
             (self.step, self.there) = (call.step, 0);
         }
-        match life {
-            Life::None => {}
-            Life::Begins => (self.begun, self.there) = (self.begun + 1, self.there + 1),
-            Life::Lasts => self.there += 1,
-            Life::Ends => self.ended += 1,
+        match event {
+            BondEvent::None => {}
+            BondEvent::Begins => (self.begun, self.there) = (self.begun + 1, self.there + 1),
+            BondEvent::Lasts => self.there += 1,
+            BondEvent::Ends => self.ended += 1,
         }
     }
 }
@@ -90,7 +90,7 @@ pub struct Chain {
 
 impl Chain {
     /// Prepare laws; `places[k]` says where the slots that `setups[k]` calls for lie in a contact's row of history.
-    /// The laws run in the order given, which should be that of [`crate::law::Kind::ALL`].
+    /// The laws run in the order given, which should be that of [`crate::model::Kind::ALL`].
     ///
     /// # Errors
     /// The first thing that a law refuses, or a law that reads what none before it hands on.
@@ -140,37 +140,37 @@ impl Chain {
     /// The surfaces overlap. `types` are the atom types counted from 0, `h` is the contact's row of history; what
     /// `s` holds already is kept and added to.
     #[inline]
-    pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Stage) -> Done {
-        self.fit(types, &x.gap);
-        self.run(&x.gap.call, h, s, |kernel, h, s, e| kernel.touch(x, h, s, e))
+    pub fn surfaces_intersect(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Response) -> ChainEffects {
+        self.fit(types, &x.close);
+        self.run(&x.close.call, h, s, |kernel, h, s, e| kernel.surfaces_intersect(x, h, s, e))
     }
 
-    /// As [`Chain::touch`]; `each` sees what is handed along after every law, told by its place in the chain.
-    pub fn touch_each(
+    /// As [`Chain::surfaces_intersect`]; `each` sees what is handed along after every law, told by its place in the chain.
+    pub fn surfaces_intersect_each(
         &mut self,
         types: (usize, usize),
         x: &Contact,
         h: &mut [f64],
-        s: &mut Stage,
-        mut each: impl FnMut(usize, &Stage),
+        s: &mut Response,
+        mut each: impl FnMut(usize, &Response),
     ) {
-        self.fit(types, &x.gap);
+        self.fit(types, &x.close);
         for (k, link) in self.links.iter().enumerate() {
-            link.kernel.touch(x, h, s, &mut Effects::default());
+            link.kernel.surfaces_intersect(x, h, s, &mut Effects::default());
             each(k, s);
         }
     }
 
     /// They do not.
-    pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64], s: &mut Stage) -> Done {
+    pub fn surfaces_close(&mut self, types: (usize, usize), x: &ClosePair, h: &mut [f64], s: &mut Response) -> ChainEffects {
         if self.across {
             self.fit(types, x);
         }
-        self.run(&x.call, h, s, |kernel, h, s, e| kernel.apart(x, h, s, e))
+        self.run(&x.call, h, s, |kernel, h, s, e| kernel.surfaces_close(x, h, s, e))
     }
 
     #[inline]
-    fn fit(&mut self, types: (usize, usize), x: &Gap) {
+    fn fit(&mut self, types: (usize, usize), x: &ClosePair) {
         self.fit_to(types, x.size());
     }
 
@@ -188,27 +188,27 @@ impl Chain {
         &mut self,
         call: &Call,
         h: &mut [f64],
-        s: &mut Stage,
-        each: impl Fn(&dyn Kernel, &mut [f64], &mut Stage, &mut Effects),
-    ) -> Done {
-        let mut done = Done::default();
+        s: &mut Response,
+        each: impl Fn(&dyn Kernel, &mut [f64], &mut Response, &mut Effects),
+    ) -> ChainEffects {
+        let mut done = ChainEffects::default();
         for link in &self.links {
             let mut e = Effects::default();
             each(link.kernel.as_ref(), h, s, &mut e);
             let bit = 1 << link.meta.kind as i32;
-            match e.mark {
-                Mark::Set => done.set |= bit,
-                Mark::Clear => done.clear |= bit,
-                Mark::Leave => {}
+            match e.contact_flag {
+                ContactFlag::Set => done.set |= bit,
+                ContactFlag::Clear => done.clear |= bit,
+                ContactFlag::Leave => {}
             }
             (done.acts, done.replaces) = (done.acts | e.acts, done.replaces | e.replaces);
             if !link.meta.outputs.is_empty() {
                 done.add(&e);
             }
             if link.meta.bonds.is_some() {
-                done.life = e.life;
+                done.bond_event = e.bond_event;
                 if call.counts {
-                    self.bonds.count(call, e.life);
+                    self.bonds.count(call, e.bond_event);
                 }
             }
         }
@@ -220,14 +220,14 @@ impl Chain {
         self.bonds
     }
 
-    /// The ways in which two bodies swing under laws that act whether or not surfaces overlap; see [`crate::law::GapLaw::swings`].
+    /// The ways in which two bodies swing under laws that act whether or not surfaces overlap; see [`crate::model::GapLaw::swings`].
     pub fn swings(&mut self, types: (usize, usize), size: &Size, speed: f64) -> Vec<Swing> {
         self.fit_to(types, *size);
         self.links.iter().flat_map(|l| l.kernel.swings(size, speed)).collect()
     }
 
     /// What each law can tell of the contact before it is evaluated.
-    pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Vec<Terms> {
+    pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Vec<Observation> {
         let mut terms = Vec::with_capacity(self.links.len());
         self.observe_each(types, x, h, |_, t| terms.push(t));
         terms
@@ -239,9 +239,9 @@ impl Chain {
         types: (usize, usize),
         x: &Contact,
         h: &[f64],
-        mut each: impl FnMut(usize, Terms),
+        mut each: impl FnMut(usize, Observation),
     ) {
-        self.fit(types, &x.gap);
+        self.fit(types, &x.close);
         for (k, link) in self.links.iter().enumerate() {
             each(k, link.kernel.observe(x, h));
         }

@@ -10,7 +10,7 @@
 use super::formulas::{resist, without_normal, ConstantTorque};
 use super::prop;
 use crate::lane::{norm, select3, zero, Lane, Lanes};
-use crate::law::*;
+use crate::model::*;
 
 /// The law.
 pub struct Cdt;
@@ -34,7 +34,7 @@ impl Law for Cdt {
         ..Meta::new(Kind::Rolling, "cdt", "constant directional torque")
     };
     // LIGGGHTS's law does not touch the flag.
-    const LIGGGHTS: Binding = Binding { marks: [Mark::Leave; 2], ..Binding::new(49, Some(1)) };
+    const LIGGGHTS: Binding = Binding { contact_flags: [ContactFlag::Leave; 2], ..Binding::new(49, Some(1)) };
     type Coeffs = (f64, bool);
     type Params = Params;
     type History = [f64; 0];
@@ -48,7 +48,7 @@ impl Law for Cdt {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let spin = norm(&x.roll);
         let torque = p.torque.along(&x.roll, spin, call, x, s.kn);
         let mut torque = select3(spin.gt(L::splat(0.0)), torque, zero()); // (E1)
@@ -58,7 +58,7 @@ impl Law for Cdt {
         resist(s, &torque);
     }
 
-    fn observe(_: &Params, x: &Contact, _: &[f64; 0]) -> Terms {
-        Terms { branch: if norm(&x.surface.roll) > 0.0 { "rolling" } else { "at rest" }, ..Terms::default() }
+    fn observe(_: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
+        Observation { branch: if norm(&x.surface.roll) > 0.0 { "rolling" } else { "at rest" }, ..Observation::default() }
     }
 }

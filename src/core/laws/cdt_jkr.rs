@@ -30,7 +30,7 @@
 use super::formulas::{effective_young, jkr_radius, resist, without_normal, ConstantTorque};
 use super::prop;
 use crate::lane::{dot, norm, select3, zero, Lane, Lanes};
-use crate::law::*;
+use crate::model::*;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -116,7 +116,7 @@ impl Law for CdtJkr {
         ..Meta::new(Kind::Rolling, "cdt_jkr", "constant directional torque of adhesive spheres")
     };
     // As `cdt`.
-    const LIGGGHTS: Binding = Binding { marks: [Mark::Leave; 2], ..Binding::new(58, None) };
+    const LIGGGHTS: Binding = Binding { contact_flags: [ContactFlag::Leave; 2], ..Binding::new(58, None) };
     type Coeffs = Coeffs;
     type Params = Params;
     type History = [f64; 0];
@@ -150,7 +150,7 @@ impl Law for CdtJkr {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let Switches { torsion, rest_limit, .. } = p.switches;
         let spin = if rest_limit { p.resting(call, x, s) } else { x.roll };
         let (axis, length, rolls) = p.axis(spin, &x.en);
@@ -165,16 +165,16 @@ impl Law for CdtJkr {
         resist(s, &torque);
     }
 
-    fn observe(p: &Params, x: &Contact, _: &[f64; 0]) -> Terms {
+    fn observe(p: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
         let (_, _, rolls) = p.axis(x.surface.roll, &x.surface.en);
-        Terms { branch: if rolls { "rolling" } else { "at rest" }, ..Terms::default() }
+        Observation { branch: if rolls { "rolling" } else { "at rest" }, ..Observation::default() }
     }
 }
 
 impl<L: Lane> Params<L> {
     /// (L) The torque that brings the pair to rest within the step \[N m\].
     #[inline(always)]
-    fn resting(&self, call: &Call, x: &Surface<L>, s: &Stage<L>) -> Vector3<L> {
+    fn resting(&self, call: &Call, x: &Surface<L>, s: &Response<L>) -> Vector3<L> {
         // Of a wall, the surface model gives ω_i times (R − δ/2)/(R − δ).
         let shown = if call.is_wall { x.cri / (x.cri - L::splat(0.5) * x.deltan) } else { L::splat(1.0) };
         let turned = s.torque_i * self.mobility[0] - s.torque_j * self.mobility[1];

@@ -1,6 +1,6 @@
 //! What the dashpot of a linear spring goes by: a coefficient of restitution, or the Stokes number of the impact.
 use crate::lane::{Lane, Lanes};
-use crate::law::{Pair, Size};
+use crate::model::{Pair, Size};
 use std::f64::consts::PI;
 
 /// What a pair of types decides. Either the restitution or the other three are given.

@@ -1,6 +1,6 @@
 //! What several laws share. Operations stand in LIGGGHTS's order, so that the same numbers come out to the last bit.
 use crate::lane::{dot, each, Lane, Lanes};
-use crate::law::{Call, Pair, Size, Stage, Surface};
+use crate::model::{Call, Pair, Size, Response, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -71,7 +71,7 @@ pub fn without_normal<L: Lane>(v: Vector3<L>, en: &Vector3<L>) -> Vector3<L> {
 
 /// Hand a torque against turning to both bodies.
 #[inline(always)]
-pub fn resist<L: Lane>(s: &mut Stage<L>, torque: &Vector3<L>) {
+pub fn resist<L: Lane>(s: &mut Response<L>, torque: &Vector3<L>) {
     s.torque_i -= torque;
     s.torque_j += torque;
 }

@@ -1,7 +1,7 @@
 //! What the friction laws share.
 use super::timing::Timing;
 use crate::lane::{cross, Lane, Lanes};
-use crate::law::{LawError, Pair, Size, Stage, Surface};
+use crate::model::{LawError, Pair, Size, Response, Surface};
 use nalgebra::Vector3;
 
 /// What a pair of types decides.
@@ -36,7 +36,7 @@ impl Coeffs {
 
 /// Hand out a tangential force: torque on either side is lever × force.
 #[inline(always)]
-pub fn push<L: Lane>(x: &Surface<L>, s: &mut Stage<L>, force: Vector3<L>) {
+pub fn push<L: Lane>(x: &Surface<L>, s: &mut Response<L>, force: Vector3<L>) {
     let turn = cross(&x.en, &force);
     s.force += force;
     s.torque_i += turn * -x.cri;

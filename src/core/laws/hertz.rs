@@ -19,7 +19,7 @@ use super::normal::{Normal, Switches};
 use super::prop;
 use super::timing::Onset;
 use crate::lane::{Lane, Lanes};
-use crate::law::*;
+use crate::model::*;
 use std::f64::consts::PI;
 
 /// The law.
@@ -81,7 +81,7 @@ impl Law for Hertz {
             prop::DISABLE_WHEN_BONDED,
         ],
         // LIGGGHTS sets the flag where it would be expected to clear it.
-        marks: [Mark::Set, Mark::Set],
+        contact_flags: [ContactFlag::Set, ContactFlag::Set],
         ..Binding::new(51, Some(3))
     };
     type Coeffs = Coeffs;
@@ -101,7 +101,7 @@ impl Law for Hertz {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let root = (p.reff * x.deltan).sqrt();
         let (sn, st) = (L::splat(2.0) * p.yeff * root, L::splat(8.0) * p.geff * root); // (E1)
         let (kn, kt) = (L::splat(4.0 / 3.0) * p.yeff * root / p.nktv2p, st / p.nktv2p); // (E2)
@@ -116,12 +116,12 @@ impl Law for Hertz {
         p.switches.push(&normal, call, x, s); // (E4)
     }
 
-    fn observe(p: &Params, x: &Contact, _: &[f64; 0]) -> Terms {
+    fn observe(p: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
         let Surface { deltan, vn, .. } = x.surface;
         let root = (p.reff * deltan).sqrt();
         let secant = 4.0 / 3.0 * p.yeff * root / p.nktv2p;
         let damping = -2.0 * SQRT_5_6 * p.beta * (2.0 * p.yeff * root * p.meff).sqrt();
-        Terms {
+        Observation {
             branch: "elastic",
             stiffness: 1.5 * secant,
             damping,

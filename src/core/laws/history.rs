@@ -24,7 +24,7 @@ use super::friction::{push, Coeffs, Params};
 use super::prop;
 use super::timing::{at_once, growing, turning, Ends};
 use crate::lane::{dot, each, norm, select3, zero, Lane};
-use crate::law::*;
+use crate::model::*;
 use nalgebra::Vector3;
 
 /// The law.
@@ -70,7 +70,7 @@ impl Law for History {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Response<L>) {
         if p.timing.acts(call) {
             return timed(p, call, x, h, s);
         }
@@ -95,15 +95,15 @@ impl Law for History {
         push(x, s, force);
     }
 
-    fn observe(_: &Params, x: &Contact, h: &[f64; 3]) -> Terms {
+    fn observe(_: &Params, x: &Contact, h: &[f64; 3]) -> Observation {
         let moved = norm(&Vector3::from(*h)) > 0.0 || norm(&x.surface.vtr) > 0.0;
-        Terms { branch: if moved { "sheared" } else { "virgin" }, ..Terms::default() }
+        Observation { branch: if moved { "sheared" } else { "virgin" }, ..Observation::default() }
     }
 }
 
 /// (E1) to (E3) with what [`super::timing`] does to them.
 #[inline(always)]
-fn timed<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Stage<L>) {
+fn timed<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Response<L>) {
     let (none, one, dt) = (L::splat(0.0), L::splat(1.0), L::splat(call.dt));
     let ends = p.timing.ends(call, x, s.fn_, p.meff);
     let rise = (-s.kn * x.vn - s.gamman * s.fn_ / p.meff) * dt;
@@ -144,7 +144,7 @@ fn begun<L: Lane>(p: &Params<L>, zero_since: L, since: L) -> (L::Mask, L) {
 
 /// The Coulomb force as it acts over the step \[N\], weighted as the parts of the normal force are.
 #[inline(always)]
-fn pressed<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, s: &Stage<L>, ends: &Ends<L>) -> L {
+fn pressed<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, s: &Response<L>, ends: &Ends<L>) -> L {
     let dashpot = -s.gamman * x.vn * p.timing.centring(call, s.gamman, p.meff);
     let acts = (s.fn_ - dashpot) * ends.growing() + dashpot * ends.at_once();
     // A normal force that was cut off has no friction.

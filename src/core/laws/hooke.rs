@@ -24,7 +24,7 @@ use super::normal::{Normal, Switches};
 use super::prop;
 use super::timing::Onset;
 use crate::lane::{Lane, Lanes};
-use crate::law::*;
+use crate::model::*;
 use std::f64::consts::PI;
 use std::marker::PhantomData;
 
@@ -106,7 +106,7 @@ impl<D: Dashpot> Law for Hooke<D> {
             prop::DISABLE_WHEN_BONDED,
         ],
         // LIGGGHTS sets the flag where it would be expected to clear it.
-        marks: [Mark::Set, Mark::Set],
+        contact_flags: [ContactFlag::Set, ContactFlag::Set],
         ..Binding::new(48, Some(0))
     };
     type Coeffs = Coeffs;
@@ -133,12 +133,12 @@ impl<D: Dashpot> Law for Hooke<D> {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(
+    fn surfaces_intersect<L: Lane>(
         p: &Params<L, D::Of<L>>,
         call: &Call,
         x: &Surface<L>,
         _: &mut [L; 0],
-        s: &mut Stage<L>,
+        s: &mut Response<L>,
     ) {
         let gamman = D::gamma(&p.dashpot, x.vn, damping); // (E2)
         let damping = (gamman, p.switches.tangential(|| gamman));
@@ -147,11 +147,11 @@ impl<D: Dashpot> Law for Hooke<D> {
         p.switches.push(&normal, call, x, s); // (E3)
     }
 
-    fn observe(p: &Params<f64, D>, x: &Contact, _: &[f64; 0]) -> Terms {
+    fn observe(p: &Params<f64, D>, x: &Contact, _: &[f64; 0]) -> Observation {
         let Surface { deltan, vn, .. } = x.surface;
         let damping = D::gamma(&p.dashpot, vn, damping);
         let (stored, dissipated) = (0.5 * p.kn * deltan * deltan, damping * vn * vn);
-        Terms { branch: "spring", stiffness: p.kn, damping, stored, dissipated, load: 0.0 }
+        Observation { branch: "spring", stiffness: p.kn, damping, stored, dissipated, load: 0.0 }
     }
 }
 

@@ -36,7 +36,7 @@ use super::normal::{Normal, Switches};
 use super::prop;
 use super::timing::Onset;
 use crate::lane::{Lane, Lanes};
-use crate::law::*;
+use crate::model::*;
 use std::f64::consts::PI;
 use std::marker::PhantomData;
 
@@ -188,12 +188,12 @@ impl<D: Dashpot> Law for HookeHysteresis<D> {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(
+    fn surfaces_intersect<L: Lane>(
         p: &Params<L, D::Of<L>>,
         call: &Call,
         x: &Surface<L>,
         [delta_max]: &mut [L; 1],
-        s: &mut Stage<L>,
+        s: &mut Response<L>,
     ) {
         let spring = hysteresis(p, call, x.deltan, delta_max);
         let gamman = D::gamma(&p.dashpot, x.vn, damping); // (8)
@@ -202,7 +202,7 @@ impl<D: Dashpot> Law for HookeHysteresis<D> {
         p.switches.push(&normal, call, x, s); // (9), (10)
     }
 
-    fn observe(p: &Params<f64, D>, x: &Contact, h: &[f64; 1]) -> Terms {
+    fn observe(p: &Params<f64, D>, x: &Contact, h: &[f64; 1]) -> Observation {
         let Surface { deltan: delta, vn, .. } = x.surface;
         let delta_max = delta.max(h[0]);
         let (force, branch) = force_and_branch(p, delta, delta_max);
@@ -213,7 +213,7 @@ impl<D: Dashpot> Law for HookeHysteresis<D> {
             _ => ("unloading", k2),
         };
         let damping = D::gamma(&p.dashpot, vn, damping);
-        Terms {
+        Observation {
             branch: name,
             stiffness,
             damping,

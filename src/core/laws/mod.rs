@@ -1,5 +1,5 @@
 //! Every law, one file each.
-use crate::law::{Alone, Entry, ForLanes, Kind, Setup};
+use crate::model::{Alone, Entry, ForLanes, Kind, Setup};
 use dashpot::Viscous;
 use hooke_hysteresis::HookeHysteresis;
 

@@ -9,7 +9,7 @@ use super::friction::{push, Coeffs, Params};
 use super::prop;
 use super::timing::turning;
 use crate::lane::{norm, Lane};
-use crate::law::*;
+use crate::model::*;
 
 /// The law.
 pub struct NoHistory;
@@ -43,7 +43,7 @@ impl Law for NoHistory {
     }
 
     #[inline(always)]
-    fn touch<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let speed = norm(&x.vtr);
         let coulomb = p.mu * s.fn_.abs();
         let acts = p.timing.acts(call);
@@ -59,7 +59,7 @@ impl Law for NoHistory {
     }
 
     /// Before the normal law has run, only the speed is known.
-    fn observe(_: &Params, x: &Contact, _: &[f64; 0]) -> Terms {
-        Terms { branch: if norm(&x.surface.vtr) > 0.0 { "sliding" } else { "at rest" }, ..Terms::default() }
+    fn observe(_: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
+        Observation { branch: if norm(&x.surface.vtr) > 0.0 { "sliding" } else { "at rest" }, ..Observation::default() }
     }
 }

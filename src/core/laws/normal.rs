@@ -1,7 +1,7 @@
 //! What the normal laws share: switches, and what becomes of a spring and a dashpot.
 use super::timing::{Onset, Timing};
 use crate::lane::Lane;
-use crate::law::{Call, Pair, Stage, Surface};
+use crate::model::{Call, Pair, Response, Surface};
 
 /// The settings of all normal laws.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +48,7 @@ impl Switches {
 
     /// Add the normal force, `Fn = spring − γn v_n`, to what is handed along; `limitForce on`: never below zero.
     #[inline(always)]
-    pub fn push<L: Lane>(&self, n: &Normal<L>, call: &Call, x: &Surface<L>, s: &mut Stage<L>) {
+    pub fn push<L: Lane>(&self, n: &Normal<L>, call: &Call, x: &Surface<L>, s: &mut Response<L>) {
         let (gamman, zero) = (n.damping.0, L::splat(0.0));
         let mut now = n.spring + -gamman * x.vn;
         // What acts over the step, where that is not the force at its end.

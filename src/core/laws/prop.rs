@@ -1,5 +1,5 @@
 //! Properties that LIGGGHTS itself knows, with its names, and the settings that several of its laws share.
-use crate::law::{Need, Prop, Range, Setting, Shape, Unit};
+use crate::model::{Need, Prop, Range, Setting, Shape, Unit};
 
 /// Young's modulus.
 pub const YOUNG: Prop =
@@ -109,7 +109,7 @@ pub const TOUCH_FRACTION: Setting = Setting::off(
     "let the first and last steps of a contact count by the part of them that is in contact",
 );
 
-/// A switch of LIGGGHTS that is not done here, for [`Binding::refused`](crate::law::Binding::refused).
+/// A switch of LIGGGHTS that is not done here, for [`Binding::refused`](crate::model::Binding::refused).
 pub const fn refused(name: &'static str, why: &'static str) -> Setting {
     Setting::off(name, why)
 }

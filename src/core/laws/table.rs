@@ -1,6 +1,6 @@
 //! The table of laws in the README.
 use super::LAWS;
-use crate::law::{Kind, Meta};
+use crate::model::{Kind, Meta};
 use std::fmt::Write;
 
 /// One row per law: how it is selected, what it is, what it asks for.

@@ -20,7 +20,7 @@
 //!
 //! Both are exact for a contact alone; forces of other contacts and gravity act within the step unseen.
 use crate::lane::Lane;
-use crate::law::{Call, Pair, Surface};
+use crate::model::{Call, Pair, Surface};
 
 /// Which of the two settings are on.
 #[derive(Clone, Copy, Debug)]

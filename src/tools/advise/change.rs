@@ -1,6 +1,6 @@
 //! Simpler chains: what can be left out of a chain of laws, or put in place of one.
 use crate::trace::{Header, LawSpec, Property};
-use granlaw::law::{Entry, Kind, Settings};
+use granlaw::model::{Entry, Kind, Settings};
 use granlaw::laws::{prop, LAWS};
 use serde::Serialize;
 

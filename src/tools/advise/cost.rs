@@ -2,7 +2,7 @@
 use super::group::Contacts;
 use super::scene::Scene;
 use crate::trace::{Header, HeaderError};
-use granlaw::law::{Call, Contact, Gap, Stage, Surface};
+use granlaw::model::{Call, Contact, ClosePair, Response, Surface};
 use nalgebra::Vector3;
 use std::time::Instant;
 
@@ -24,8 +24,8 @@ pub(super) fn per_contact(scene: &Scene, chains: &[Header]) -> Result<f64, Heade
         let round = |rows: &mut Vec<Vec<f64>>, chain: &mut granlaw::chain::Chain| {
             let begun = Instant::now();
             for ((types, x), h) in contacts.iter().zip(rows) {
-                let mut s = Stage::default();
-                chain.touch(*types, x, h, &mut s);
+                let mut s = Response::default();
+                chain.surfaces_intersect(*types, x, h, &mut s);
                 std::hint::black_box(&s);
             }
             begun.elapsed().as_secs_f64()
@@ -48,7 +48,7 @@ fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
             .collect::<Vec<_>>(),
     });
     let one = |(p, v, slip, overlap): (crate::probe::Partners, [f64; 3], f64, f64)| {
-        let mut gap = Gap { meff: p.meff, ..Gap::default() };
+        let mut gap = ClosePair { meff: p.meff, ..ClosePair::default() };
         gap.call = Call { dt: scene.dt(), step: 1, update: true, counts: false, is_wall: p.wall };
         (gap.i.radius, gap.j.radius, gap.i.mass, gap.j.mass) =
             (p.radius[0], p.radius[1], p.mass[0], p.mass[1]);
@@ -64,7 +64,7 @@ fn contacts(scene: &Scene, chain: usize) -> Vec<((usize, usize), Contact)> {
             cri: p.radius[0],
             crj: p.radius[1],
         };
-        ((p.types[0] - 1, p.types[1] - 1), Contact { gap, surface })
+        ((p.types[0] - 1, p.types[1] - 1), Contact { close: gap, surface })
     };
     impacts.map(one).collect::<Vec<_>>().into_iter().cycle().take(CONTACTS).collect()
 }

@@ -4,7 +4,7 @@
 //! cannot be repeated; what it can carry, and how deep it gets, depends on its laws alone.
 use crate::probe::Pressed;
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Call, Contact, Gap, Kind, Stage, Surface};
+use granlaw::model::{Body, Call, Contact, ClosePair, Kind, Response, Surface};
 use nalgebra::Vector3;
 
 /// The first and the largest overlap that are tried, relative to what a spring of the largest stiffness of the run would
@@ -86,7 +86,7 @@ impl Rig<'_> {
         let delta = Vector3::x() * (p.radius[0] + p.radius[1] - self.overlap);
         i.x = delta;
         let call = Call { dt: self.dt, step: 1, update: true, counts: false, is_wall: p.wall };
-        let gap = Gap { call, i, j, delta, rsq: delta.norm_squared(), meff: p.meff };
+        let gap = ClosePair { call, i, j, delta, rsq: delta.norm_squared(), meff: p.meff };
         let lever = |k: usize| if p.radius[k] > 0.0 { p.radius[k] - 0.5 * self.overlap } else { 0.0 };
         let surface = Surface {
             r: delta.x,
@@ -98,13 +98,13 @@ impl Rig<'_> {
             cri: lever(0),
             crj: lever(1),
         };
-        Contact { gap, surface }
+        Contact { close: gap, surface }
     }
 
-    fn touch(&mut self) -> Stage {
-        let mut s = Stage::default();
+    fn touch(&mut self) -> Response {
+        let mut s = Response::default();
         let (types, x) = (self.types(), self.contact());
-        self.chain.touch(types, &x, &mut self.history, &mut s);
+        self.chain.surfaces_intersect(types, &x, &mut self.history, &mut s);
         s
     }
 

@@ -7,7 +7,7 @@ use super::options::Options;
 use super::rules::{sure, CRITICAL, LARGER, SMALLER};
 use super::scene::Scene;
 use crate::trace::{Header, HeaderError};
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use serde::Serialize;
 
 /// A model on trial.

@@ -2,7 +2,7 @@
 use super::ladder::Rung;
 use super::scene::Scene;
 use crate::trace::{Header, LawSpec, Property};
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use granlaw::laws::find;
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! Repeats the impacts of a probe with two bodies alone.
 use crate::probe::{Impact, Partners};
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Kind, Meta};
+use granlaw::model::{Body, Kind, Meta};
 use granlaw::pair::{run_while, Opened, Partner, Start, State};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -49,7 +49,7 @@ pub fn impact(
             // The moment between the two steps at which the surfaces parted.
             let part = last / (last - overlap);
             seen.time = ((s.step - 1) as f64 + part - phase) * dt;
-            let g = &s.contact.gap;
+            let g = &s.contact.close;
             let away = (s.bodies[0].v - s.bodies[1].v).dot(&g.delta) / g.rsq.sqrt();
             seen.restitution = away / -what.v[0];
         }
@@ -80,7 +80,7 @@ impl Watch<'_> {
         laws.observe_each(self.types, &s.contact, &s.history, |k, terms| {
             stiffness += if self.springs[k] { terms.stiffness } else { 0.0 };
         });
-        self.most = self.most.max(stiffness / s.contact.gap.meff);
+        self.most = self.most.max(stiffness / s.contact.close.meff);
     }
 
     fn omega(&self) -> f64 {
@@ -93,7 +93,7 @@ fn plane() -> Partner {
 }
 
 fn overlap(s: &State) -> f64 {
-    let g = &s.contact.gap;
+    let g = &s.contact.close;
     g.i.radius + g.j.radius - g.rsq.sqrt()
 }
 

@@ -4,7 +4,7 @@ use super::ladder::Rung;
 use super::lines::{number, properties, spoken};
 use super::scene::Scene;
 use crate::trace::{Header, Property};
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use thiserror::Error;
 
 /// Why a deck cannot be rewritten.

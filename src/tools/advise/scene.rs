@@ -9,7 +9,7 @@ use super::rules::{FINE, PHASES, STUCK};
 use crate::probe::{Impact, Pressed, Probe};
 use crate::trace::{Header, HeaderError};
 use granlaw::chain::Chain;
-use granlaw::law::Reach;
+use granlaw::model::Reach;
 use rayon::prelude::*;
 
 /// Number of contacts of each class on which a fit is made. The result is judged on all of them.

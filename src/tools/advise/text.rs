@@ -6,7 +6,7 @@ use super::lines::{number, percent};
 use super::{Advice, Found, Term};
 use std::fmt::{self, Write};
 
-/// Terms whose shares are all smaller than this are not printed; the JSON has them.
+/// Observation whose shares are all smaller than this are not printed; the JSON has them.
 const SMALL: f64 = 0.005;
 
 /// The advice and the results of its checks.

@@ -13,12 +13,12 @@ pub(crate) fn shown(row: &Row) -> (f64, f64) {
 
 /// Minus the gap \[m\].
 pub(crate) fn gap(row: &Row) -> f64 {
-    row.gap.i.radius + row.gap.j.radius - row.gap.rsq.sqrt()
+    row.close.i.radius + row.close.j.radius - row.close.rsq.sqrt()
 }
 
 /// The normal part of a force on i \[N\].
 pub(crate) fn across(row: &Row, force: &Vector3<f64>) -> f64 {
-    force.dot(&row.gap.delta) / row.gap.rsq.sqrt()
+    force.dot(&row.close.delta) / row.close.rsq.sqrt()
 }
 
 /// Follows the first contact that has a force, in two answers, with at most [`Follow::POINTS`] points.
@@ -43,7 +43,7 @@ impl Follow {
 
     /// Adds a row of the first answer, with overlap and normal force of the second.
     pub fn row(&mut self, row: &Row, overlap: f64, force: f64) {
-        let (i, j) = (row.gap.i.tag, row.gap.j.tag);
+        let (i, j) = (row.close.i.tag, row.close.j.tag);
         let tags = (i.min(j), i.max(j));
         if (row.touch || row.has_force) && self.contact.is_none() {
             self.contact = Some(tags);
@@ -64,7 +64,7 @@ impl Follow {
             });
             self.stride *= 2;
         }
-        let (call, first) = (&row.gap.call, shown(row));
+        let (call, first) = (&row.close.call, shown(row));
         self.points.push(Point {
             time: call.step as f64 * call.dt,
             overlap: [first.0, overlap],
@@ -107,8 +107,8 @@ mod tests {
         for step in 0..n {
             for partner in [2, 3] {
                 let mut row = Row { touch: true, ..Row::default() };
-                (row.gap.call.step, row.gap.call.dt) = (step as i64, 0.5);
-                (row.gap.i.tag, row.gap.j.tag) = if step % 2 == 0 { (1, partner) } else { (partner, 1) };
+                (row.close.call.step, row.close.call.dt) = (step as i64, 0.5);
+                (row.close.i.tag, row.close.j.tag) = if step % 2 == 0 { (1, partner) } else { (partner, 1) };
                 (row.surface.deltan, row.handed.fn_) = (partner as f64, step as f64);
                 follow.row(&row, partner as f64, step as f64 * 1.5);
             }

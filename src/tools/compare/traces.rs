@@ -74,11 +74,11 @@ pub fn traces(got: &Path, expected: &Path, answers: [&str; 2]) -> Result<Traces,
 }
 
 fn key(r: &Row) -> (i64, i64, i64, bool) {
-    (r.gap.call.step, r.gap.i.tag, r.gap.j.tag, r.touch)
+    (r.close.call.step, r.close.i.tag, r.close.j.tag, r.touch)
 }
 
 fn spot(r: &Row, line: u64) -> Spot {
-    Spot { step: r.gap.call.step, tags: (r.gap.i.tag, r.gap.j.tag), line }
+    Spot { step: r.close.call.step, tags: (r.close.i.tag, r.close.j.tag), line }
 }
 
 fn row(quantities: &mut [Quantity], spot: Spot, x: &mut Row, y: &mut Row) {
@@ -126,9 +126,9 @@ mod tests {
             .map(|step| {
                 let mut r =
                     Row { touch: true, before: vec![0.5], after: vec![step as f64], ..Row::default() };
-                r.gap.call.step = step;
-                (r.gap.i.tag, r.gap.j.tag) = (1, 2);
-                r.gap.i.x.y = step as f64;
+                r.close.call.step = step;
+                (r.close.i.tag, r.close.j.tag) = (1, 2);
+                r.close.i.x.y = step as f64;
                 r.handed.fn_ = 2.0 * step as f64;
                 r
             })
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn inputs_results_and_history_are_all_compared() {
         let worst = |t: &Traces| Quantity::worst_of(&t.quantities).unwrap().report().unwrap();
-        let t = against(|r| r[1].gap.i.x.y += 1.0);
+        let t = against(|r| r[1].close.i.x.y += 1.0);
         assert_eq!((worst(&t).what.as_str(), worst(&t).step, t.error()), ("x_i.y of 1-2", 2, 0.25));
         let t = against(|r| r[2].after[0] = -3.0);
         assert_eq!((worst(&t).what.as_str(), t.error()), ("after.shearx of 1-2", 1.5));
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!((t.rows, t.error(), t.identical()), (3, f64::INFINITY, false));
         let stray = t.stray.unwrap();
         assert_eq!((stray.got, stray.expected.unwrap().step), (None, 4));
-        let t = against(|r| r[1].gap.j.tag = 3);
+        let t = against(|r| r[1].close.j.tag = 3);
         assert_eq!((t.rows, t.stray.unwrap().got.unwrap().tags), (1, (1, 3)));
     }
 }

@@ -1,7 +1,7 @@
 //! Says when the time step is too long for a contact at hand.
 use super::{Fastest, Follower, Grains};
 use granlaw::critical::{Mode, SAFE, SAFE_BOND};
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 
 impl Follower {
     /// A warning in words, when the time step is first found too long for a pair of types; one warning for each pair of types. Chains

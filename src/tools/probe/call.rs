@@ -1,6 +1,6 @@
 //! One contact call, as the plugin hands it to the probe.
 use crate::trace::Handed;
-use granlaw::law::Contact;
+use granlaw::model::Contact;
 use nalgebra::Vector3;
 
 /// One contact call with overlapping surfaces.
@@ -29,7 +29,7 @@ pub struct Call<'a> {
 impl Call<'_> {
     /// The torque that turns j: none on a wall.
     pub(super) fn on_j(&self) -> Vector3<f64> {
-        if self.contact.gap.call.is_wall {
+        if self.contact.close.call.is_wall {
             Vector3::zeros()
         } else {
             self.torque_j

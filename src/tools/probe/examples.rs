@@ -1,6 +1,6 @@
 //! Keeps a few contacts of every class as examples, with all that is needed to repeat them.
 use super::call::Call;
-use granlaw::law::Contact;
+use granlaw::model::Contact;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -107,7 +107,7 @@ pub struct Drawn<T> {
 
 impl Partners {
     pub(super) fn of(call: &Call<'_>) -> Partners {
-        let g = &call.contact.gap;
+        let g = &call.contact.close;
         Partners {
             types: [call.types.0 + 1, call.types.1 + 1],
             wall: g.call.is_wall,
@@ -131,7 +131,7 @@ impl Partners {
 impl Impact {
     pub(super) fn of(call: &Call<'_>) -> Impact {
         let axes = axes(call.contact);
-        let (g, s) = (&call.contact.gap, &call.contact.surface);
+        let (g, s) = (&call.contact.close, &call.contact.surface);
         let seen = |v: Vector3<f64>| axes.map(|a| a.dot(&v));
         Impact {
             partners: Partners::of(call),
@@ -158,7 +158,7 @@ impl Pressed {
 fn axes(x: &Contact) -> [Vector3<f64>; 3] {
     let n = x.surface.en;
     // A slip of nothing but rounding error has a random direction, which may be that of the normal.
-    let least = 1e-12 * (x.gap.i.v - x.gap.j.v).norm();
+    let least = 1e-12 * (x.close.i.v - x.close.j.v).norm();
     let across = |v: Vector3<f64>| (v - n * n.dot(&v)).try_normalize(least);
     // Any direction will do where nothing slips; the axis furthest from the normal cannot fail.
     let t = across(x.surface.vtr).unwrap_or_else(|| Vector3::ith(n.iamin(), 1.0));
@@ -222,7 +222,7 @@ mod tests {
     fn slip_that_is_rounding_alone_does_not_turn_the_axes() {
         let mut x = Contact::default();
         x.surface.en = Vector3::new(0.6, 0.0, 0.8);
-        x.gap.i.v = x.surface.en * -0.2;
+        x.close.i.v = x.surface.en * -0.2;
         for slip in
             [Vector3::zeros(), x.surface.en * 5e-17, Vector3::new(3e-17, 1e-17, 4e-17), Vector3::y() * 1e-9]
         {

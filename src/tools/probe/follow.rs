@@ -6,7 +6,7 @@ use super::tally::{Fastest, LawShare, TypePair};
 use super::work::Motion;
 use crate::trace::Header;
 use granlaw::chain::Chain;
-use granlaw::law::{Contact, Gap, Kind, Reach, Stage};
+use granlaw::model::{Contact, ClosePair, Kind, Reach, Response};
 use granlaw::laws::prop;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
@@ -154,14 +154,14 @@ impl Follower {
 
     /// A call of this chain without overlap that may write history, with the history before it. For pairs that are followed, the
     /// load of laws that act across gaps is counted.
-    pub fn across(&mut self, types: (usize, usize), gap: &Gap, before: &[f64]) {
+    pub fn across(&mut self, types: (usize, usize), gap: &ClosePair, before: &[f64]) {
         let share = self.contacts.share;
         let Some(chain) = self.chain.as_mut().filter(|_| drawn((gap.i.tag, gap.j.tag), share)) else {
             return;
         };
         let mut load = 0.0f64;
         let beyond = &self.beyond;
-        let x = Contact { gap: *gap, ..Contact::default() };
+        let x = Contact { close: *gap, ..Contact::default() };
         chain.observe_each(types, &x, &before[..chain.row()], |k, t| {
             if beyond[k] {
                 load = load.max(t.load);
@@ -177,7 +177,7 @@ impl Follower {
     }
 
     fn follow(&mut self, call: &Call<'_>) {
-        let g = &call.contact.gap;
+        let g = &call.contact.close;
         let (i, j, place) = (g.i.tag, g.j.tag, call.place);
         let key = if g.call.is_wall { (i, j, place) } else { (i.min(j), i.max(j), place) };
         self.tick(g.call.step);
@@ -294,12 +294,12 @@ fn laws(
     weight: f64,
     pair: &mut TypePair,
 ) -> (f64, f64) {
-    let (x, dt) = (call.contact, call.contact.gap.call.dt);
+    let (x, dt) = (call.contact, call.contact.close.call.dt);
     history.clear();
     history.extend_from_slice(&call.before[..chain.row()]);
     let faster = motion.faster(&x.surface);
     let mut load = 0.0f64;
-    let mut fastest = Fastest { meff: x.gap.meff, ..Fastest::default() };
+    let mut fastest = Fastest { meff: x.close.meff, ..Fastest::default() };
     let shares = &mut pair.laws;
     chain.observe_each(call.types, x, history, |k, t| {
         load = load.max(t.load);
@@ -312,14 +312,14 @@ fn laws(
         shares[k].observed(t.branch, damped, dt * weight);
     });
     pair.fastest.meet(fastest);
-    let mut before = Stage::default();
-    let mut all = Stage::default();
-    chain.touch_each(call.types, x, history, &mut all, |k, s| {
+    let mut before = Response::default();
+    let mut all = Response::default();
+    chain.surfaces_intersect_each(call.types, x, history, &mut all, |k, s| {
         let force = (s.force - before.force) * call.share;
         let torque = |now: Vector3<f64>, then: Vector3<f64>| (now - then) * call.share;
         let torque_i = torque(s.torque_i, before.torque_i);
         let torque_j =
-            if x.gap.call.is_wall { Vector3::zeros() } else { torque(s.torque_j, before.torque_j) };
+            if x.close.call.is_wall { Vector3::zeros() } else { torque(s.torque_j, before.torque_j) };
         add(&mut shares[k].work, motion.power(&force, &torque_i, &torque_j) * dt * weight);
         add(&mut shares[k].impulse, force.norm() * dt * weight);
         add(&mut shares[k].turn, torque_i.norm() * dt * weight);

@@ -1,6 +1,6 @@
 //! The particles of a scene by type. Their sizes limit the time step, even before any of them has touched.
 use super::particles::Particles;
-use granlaw::law::Size;
+use granlaw::model::Size;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 

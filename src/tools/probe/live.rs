@@ -57,7 +57,7 @@ impl Live {
         }
         Live {
             at,
-            last: call.contact.gap.call.step,
+            last: call.contact.close.call.step,
             lot,
             weight,
             whole,
@@ -78,11 +78,11 @@ impl Live {
 
     /// A step of the contact. `load` is the largest use of a limit that the laws report, `mu` the coefficient of friction.
     pub fn step(&mut self, call: &Call<'_>, motion: &Motion, load: f64, mu: f64, pair: &mut TypePair) {
-        let (s, dt) = (&call.contact.surface, call.contact.gap.call.dt);
+        let (s, dt) = (&call.contact.surface, call.contact.close.call.dt);
         let (weight, many) = (self.weight, self.weight as f64);
         let normal = call.force.dot(&s.en);
         let tangential = (call.force - s.en * normal).norm();
-        self.last = call.contact.gap.call.step;
+        self.last = call.contact.close.call.step;
         self.steps += 1;
         self.time += dt;
         self.overlap = self.overlap.max(s.deltan);
@@ -91,7 +91,7 @@ impl Live {
         self.kn = self.kn.max(call.handed.kn);
         self.impulse[0] += normal.abs() * dt;
         self.impulse[1] += tangential * dt;
-        self.out = s.vn + normal * dt / call.contact.gap.meff;
+        self.out = s.vn + normal * dt / call.contact.close.meff;
         // The factor 1.5 leaves room for a normal that turns and a velocity that still changes a little.
         self.parts = s.deltan <= 1.5 * self.out * dt + reach(call);
         let done = motion.directions(call, normal);
@@ -179,12 +179,12 @@ impl Live {
 /// Whether the surfaces first touched in the last step: then the overlap is not larger than the distance moved in that step.
 fn began(call: &Call<'_>) -> bool {
     let s = &call.contact.surface;
-    s.vn < 0.0 && s.deltan <= -s.vn * call.contact.gap.call.dt + reach(call)
+    s.vn < 0.0 && s.deltan <= -s.vn * call.contact.close.call.dt + reach(call)
 }
 
 /// How much the distance can change in a step apart from the normal velocity \[m\], as the normal turns and numbers are rounded.
 fn reach(call: &Call<'_>) -> f64 {
-    let g = &call.contact.gap;
+    let g = &call.contact.close;
     let moved = (g.i.v - g.j.v).norm() * g.call.dt;
     moved * moved / (g.i.radius + g.j.radius) + 1e-12 * g.i.radius
 }

@@ -5,7 +5,7 @@
 //! energy to the last digits.
 use super::call::Call;
 use super::tally::Directions;
-use granlaw::law::{Body, Gap, Surface};
+use granlaw::model::{Body, ClosePair, Surface};
 use nalgebra::Vector3;
 
 /// Mean relative velocity and spins of the step: half of the change by the force of the whole chain is added.
@@ -17,7 +17,7 @@ pub(super) struct Motion {
 
 impl Motion {
     pub fn of(call: &Call<'_>) -> Motion {
-        let (g, half) = (&call.contact.gap, 0.5 * call.contact.gap.call.dt);
+        let (g, half) = (&call.contact.close, 0.5 * call.contact.close.call.dt);
         let v = g.i.v - g.j.v + call.force * (half / g.meff);
         let turned = |b: &Body, torque: Vector3<f64>, held: bool| match held {
             true => b.omega,
@@ -38,7 +38,7 @@ impl Motion {
 
     /// Work of the whole chain in this step \[J\]; `normal` is its force along the normal \[N\].
     pub fn directions(&self, call: &Call<'_>, normal: f64) -> Directions {
-        let (s, dt) = (&call.contact.surface, call.contact.gap.call.dt);
+        let (s, dt) = (&call.contact.surface, call.contact.close.call.dt);
         let [wi, wj] = &self.omega;
         let torque_j = call.on_j();
         let ft = call.force - s.en * normal;
@@ -58,6 +58,6 @@ impl Motion {
 }
 
 /// Whether i and j are held in place: a wall is, and a body of infinite mass.
-fn held(g: &Gap) -> [bool; 2] {
+fn held(g: &ClosePair) -> [bool; 2] {
     [g.i.frozen, g.call.is_wall || g.j.frozen]
 }

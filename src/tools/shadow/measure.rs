@@ -1,7 +1,7 @@
 //! The differences between two answers to one call.
 use crate::trace::Row;
 use granlaw::chain::Chain;
-use granlaw::law::Stage;
+use granlaw::model::Response;
 use nalgebra::Vector3;
 
 /// The answer of the Rust laws to a call.
@@ -22,16 +22,16 @@ pub struct Answer {
 impl Answer {
     /// The answer of a chain, one contact at a time; `share` is the part of a wall contact that counts, 1 for a pair.
     pub(super) fn of(&mut self, chain: &mut Chain, row: &Row, share: f64) {
-        let mut s = Stage::default();
+        let mut s = Response::default();
         self.history.clone_from(&row.before);
         if row.touch {
-            chain.touch(row.types, &row.contact(), &mut self.history, &mut s);
+            chain.surfaces_intersect(row.types, &row.contact(), &mut self.history, &mut s);
         } else {
-            chain.apart(row.types, &row.gap, &mut self.history, &mut s);
+            chain.surfaces_close(row.types, &row.close, &mut self.history, &mut s);
         }
         (self.force_i, self.torque_i) = (s.force * share, s.torque_i * share);
         // LIGGGHTS applies no force to a wall.
-        self.force_j = if row.gap.call.is_wall { Vector3::zeros() } else { -s.force };
+        self.force_j = if row.close.call.is_wall { Vector3::zeros() } else { -s.force };
         self.torque_j = s.torque_j;
     }
 }
@@ -68,7 +68,7 @@ impl Measure {
             return [None; 3];
         }
         let force = scale(row);
-        let lever = row.gap.i.radius.max(row.gap.j.radius);
+        let lever = row.close.i.radius.max(row.close.j.radius);
         let forces = [(&rust.force_i, &row.force_i), (&rust.force_j, &row.force_j)];
         let torques = [(&rust.torque_i, &row.torque_i), (&rust.torque_j, &row.torque_j)];
         let slots = rust.history.iter().zip(&row.after).zip(&self.peaks);

@@ -3,7 +3,7 @@ use super::measure::{Answer, Measure, Pair};
 use super::{Compared, Shadow, Worst};
 use crate::trace::{Header, LawSpec, Row, Writer};
 use granlaw::chain::Chain;
-use granlaw::law::Setup;
+use granlaw::model::Setup;
 use granlaw::laws::find;
 
 /// Collects what a rank sees of a run.
@@ -136,7 +136,7 @@ fn worst(header: &Header, row: &Row, measure: usize, p: &Pair) -> Worst {
         1 => format!("torque_{}.{axis}", ["i", "j"][p.of]),
         _ => format!("after.{}", header.slots[p.at]),
     };
-    let (step, tags) = (row.gap.call.step, (row.gap.i.tag, row.gap.j.tag));
+    let (step, tags) = (row.close.call.step, (row.close.i.tag, row.close.j.tag));
     Worst { error: p.error, step, tags, what, rust: p.rust, stock: p.stock, inputs: inputs(header, row) }
 }
 

@@ -7,7 +7,7 @@
 use super::motion::{Instant, Motion};
 use super::shot::{Outcome, Shot};
 use granlaw::chain::Chain;
-use granlaw::law::Body;
+use granlaw::model::Body;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 /// Levels of extrapolation.
@@ -56,9 +56,9 @@ impl<'a> Solver<'a> {
         let mut h = 1e-3 * duration * longest.min(1.0);
         let shortest = 1e-13 * duration;
         while at.time < 100.0 * duration && at.vn.is_finite() && self.motion.calls < MOST {
-            seen.peak = seen.peak.max(at.stage.fn_);
+            seen.peak = seen.peak.max(at.response.fn_);
             if with_force {
-                seen.force.push((at.time, at.stage.fn_));
+                seen.force.push((at.time, at.response.fn_));
             }
             h = h.min(longest * duration).max(shortest);
             let (end, error) = self.step(&at, h);
@@ -157,13 +157,13 @@ fn weights(n: usize) -> DVector<f64> {
 /// All numbers of an instant: forces, bodies, history.
 fn flat(at: &Instant) -> Vec<f64> {
     let three = |v: Vector3<f64>| [v.x, v.y, v.z];
-    let acts = [at.stage.force, at.stage.torque_i, at.stage.torque_j];
+    let acts = [at.response.force, at.response.torque_i, at.response.torque_j];
     let bodies = at.bodies.iter().flat_map(|b| [b.x, b.v, b.omega]);
     acts.into_iter().chain(bodies).flat_map(three).chain(at.history.iter().copied()).collect()
 }
 
 fn restore(row: &[f64], at: &mut Instant) {
-    let s = &mut at.stage;
+    let s = &mut at.response;
     let acts = [&mut s.force, &mut s.torque_i, &mut s.torque_j];
     let bodies = at.bodies.iter_mut().flat_map(|b| [&mut b.x, &mut b.v, &mut b.omega]);
     acts.into_iter().chain(bodies).zip(row.chunks(3)).for_each(|(v, n)| v.copy_from_slice(n));

@@ -1,6 +1,6 @@
 //! Bonds described by a few numbers, and the laws and properties of a deck that has them.
 use super::matter::Matter;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 
 /// The properties of bonds.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@ use super::tied::{ahead, every};
 use crate::compare::{CompareError, Frame};
 use crate::deck::{Deck, DeckError};
 use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
-use granlaw::law::Body;
+use granlaw::model::Body;
 use nalgebra::Vector3;
 use std::path::PathBuf;
 use std::time::Duration;

@@ -2,7 +2,7 @@
 use super::motion::{Instant, Motion};
 use super::shot::{Outcome, Shot};
 use granlaw::chain::Chain;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 
 /// Integrates the contact in steps of `h` \[s\]. Returns the outcome and the number of evaluations of the laws.
 pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outcome, u64) {
@@ -13,9 +13,9 @@ pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outc
     let mut seen = Outcome::default();
     let limit = 1_000_000;
     for step in 0..limit {
-        seen.peak = seen.peak.max(at.stage.fn_);
+        seen.peak = seen.peak.max(at.response.fn_);
         if with_force {
-            seen.force.push((at.time, at.stage.fn_));
+            seen.force.push((at.time, at.response.fn_));
         }
         if m.overlap_after(&at, h) < 0.0 && step > 0 {
             let last = bisect(h, 60, |h| m.overlap_after(&at, h) < 0.0);

@@ -1,6 +1,6 @@
 //! Laws with their numbers, written once, from which both a chain for our own integrations and the lines of a deck are made.
 use granlaw::chain::Chain;
-use granlaw::law::{Entry, Kind, LawError, Settings, Setup, Shape, Support, Values};
+use granlaw::model::{Entry, Kind, LawError, Settings, Setup, Shape, Support, Values};
 use granlaw::laws::find;
 
 /// Laws with the property values and settings that a deck would give them, for one material.

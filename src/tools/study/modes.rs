@@ -3,7 +3,7 @@ use super::matter::Matter;
 use super::shot::Shot;
 use granlaw::chain::Chain;
 use granlaw::critical::Mode;
-use granlaw::law::{Call, Contact, Gap, Kind, Size, Surface, Terms};
+use granlaw::model::{Call, Contact, ClosePair, Kind, Size, Surface, Observation};
 use granlaw::pair::run_while;
 use std::f64::consts::PI;
 
@@ -46,9 +46,9 @@ pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
         if t.0 > 0.0 {
             soft = soft.min(t.0);
         }
-        let spring = if shear == Some(true) { s.stage.kt } else { 0.0 };
+        let spring = if shear == Some(true) { s.response.kt } else { 0.0 };
         if shear.is_some() && spring >= tangential.stiffness {
-            (tangential.stiffness, tangential.damping) = (spring, s.stage.gammat.max(tangential.damping));
+            (tangential.stiffness, tangential.damping) = (spring, s.response.gammat.max(tangential.damping));
         }
         true
     });
@@ -61,11 +61,11 @@ pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
 pub fn loading(chain: &mut Chain, shot: &Shot) -> f64 {
     let [i, j] = shot.bodies();
     let call = Call { is_wall: shot.wall, ..Call::default() };
-    let gap = Gap { call, i, j, meff: shot.meff(), ..Gap::default() };
+    let gap = ClosePair { call, i, j, meff: shot.meff(), ..ClosePair::default() };
     let surface = Surface { deltan: 0.01 * shot.radius, ..Surface::default() };
     let row = vec![0.0; chain.row()];
     let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
-    along_normal(&kinds, &chain.observe(shot.types, &Contact { gap, surface }, &row)).0
+    along_normal(&kinds, &chain.observe(shot.types, &Contact { close: gap, surface }, &row)).0
 }
 
 /// The same for laws and numbers that are known to be sound \[N/m\].
@@ -77,7 +77,7 @@ pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
 }
 
 /// Stiffness \[N/m\] and damping \[N s/m\] along the normal, of all laws that act there.
-fn along_normal(kinds: &[Kind], terms: &[Terms]) -> (f64, f64) {
+fn along_normal(kinds: &[Kind], terms: &[Observation]) -> (f64, f64) {
     let normal = kinds.iter().zip(terms).filter(|(k, _)| matches!(k, Kind::Normal | Kind::Cohesion));
     normal.fold((0.0, 0.0), |(k, g), (_, t)| (k + t.stiffness, g + t.damping))
 }

@@ -7,7 +7,7 @@
 //! sticking.
 use super::shot::Shot;
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Call, Contact, Stage};
+use granlaw::model::{Body, Call, Contact, Response};
 use granlaw::pair::{approach, moving, Partner, Start};
 
 /// The motion of two bodies under a chain of laws.
@@ -30,7 +30,7 @@ pub struct Instant {
     /// Their history.
     pub history: Vec<f64>,
     /// The forces and torques on them.
-    pub stage: Stage,
+    pub response: Response,
     /// Normal relative velocity \[m/s\], negative while approaching.
     pub vn: f64,
 }
@@ -51,17 +51,17 @@ impl<'a> Motion<'a> {
     pub fn touch(&mut self, bodies: [Body; 2]) -> Instant {
         let mut history = vec![0.0; self.chain.row()];
         let mut contact = self.contact(&bodies, self.bonded.is_some(), 0.0);
-        contact.gap.call.step = 1;
-        let stage = self.evaluate(&contact, &mut history);
-        Instant { time: 0.0, bodies, history, stage, vn: contact.surface.vn }
+        contact.close.call.step = 1;
+        let response = self.evaluate(&contact, &mut history);
+        Instant { time: 0.0, bodies, history, response, vn: contact.surface.vn }
     }
 
     /// The state a time `h` \[s\] later, whether or not the surfaces part before.
     pub fn step(&mut self, from: &Instant, h: f64) -> Instant {
         let mut middle = from.bodies;
-        self.kick(&mut middle, &from.stage, 0.5 * h);
+        self.kick(&mut middle, &from.response, 0.5 * h);
         let mut to = Instant { time: from.time + h, bodies: self.drift(&middle, h), ..from.clone() };
-        self.kick(&mut to.bodies, &from.stage, 0.5 * h);
+        self.kick(&mut to.bodies, &from.response, 0.5 * h);
         for (body, half) in to.bodies.iter().zip(&mut middle) {
             half.x = body.x;
         }
@@ -70,13 +70,13 @@ impl<'a> Motion<'a> {
             let mut between = self.contact(&middle, true, h);
             between.surface.vn = end.surface.vn;
             to.history.clone_from(&from.history);
-            to.stage = self.evaluate(&end, &mut to.history);
+            to.response = self.evaluate(&end, &mut to.history);
             to.history.clone_from(&from.history);
             self.evaluate(&between, &mut to.history);
             for (body, half) in to.bodies.iter_mut().zip(&middle) {
                 (body.v, body.omega) = (half.v, half.omega);
             }
-            self.kick(&mut to.bodies, &to.stage, 0.5 * h);
+            self.kick(&mut to.bodies, &to.response, 0.5 * h);
         }
         to.vn = self.contact(&to.bodies, false, 0.0).surface.vn;
         to
@@ -95,7 +95,7 @@ impl<'a> Motion<'a> {
     /// The overlap of the surfaces a time `h` later, without evaluating any law \[m\].
     pub fn overlap_after(&self, from: &Instant, h: f64) -> f64 {
         let mut bodies = from.bodies;
-        self.kick(&mut bodies, &from.stage, 0.5 * h);
+        self.kick(&mut bodies, &from.response, 0.5 * h);
         self.overlap(&self.drift(&bodies, h))
     }
 
@@ -123,23 +123,23 @@ impl<'a> Motion<'a> {
         bodies
     }
 
-    fn kick(&self, bodies: &mut [Body; 2], stage: &Stage, time: f64) {
-        let forces = [stage.force, -stage.force];
-        let torques = [stage.torque_i, stage.torque_j];
+    fn kick(&self, bodies: &mut [Body; 2], response: &Response, time: f64) {
+        let forces = [response.force, -response.force];
+        let torques = [response.torque_i, response.torque_j];
         for ((b, force), torque) in moving(self.start, bodies).zip(forces).zip(torques) {
             b.v += time * (force / b.mass + self.start.gravity);
             b.omega += time / (0.4 * b.mass * b.radius * b.radius) * torque;
         }
     }
 
-    fn evaluate(&mut self, contact: &Contact, history: &mut [f64]) -> Stage {
-        let mut stage = Stage::default();
+    fn evaluate(&mut self, contact: &Contact, history: &mut [f64]) -> Response {
+        let mut response = Response::default();
         self.calls += 1;
         match self.bonded {
-            Some(_) => self.chain.apart(self.start.types, &contact.gap, history, &mut stage),
-            None => self.chain.touch(self.start.types, contact, history, &mut stage),
+            Some(_) => self.chain.surfaces_close(self.start.types, &contact.close, history, &mut response),
+            None => self.chain.surfaces_intersect(self.start.types, contact, history, &mut response),
         };
-        stage
+        response
     }
 
     /// The input of the laws; surfaces that have parted within a step count as just touching.

@@ -5,7 +5,7 @@
 pub struct Tied {
     /// At least two; of unlike sizes in turn.
     pub beads: usize,
-    /// Gap between the surfaces when the bonds begin \[m\]: they act across it.
+    /// ClosePair between the surfaces when the bonds begin \[m\]: they act across it.
     pub gap: f64,
     /// How they move.
     pub way: Way,

@@ -1,6 +1,6 @@
 //! One contact from first touch to last: two spheres, or a sphere and a wall, shot at each other.
 use super::row::{random, Tied, Way};
-use granlaw::law::Body;
+use granlaw::model::Body;
 use granlaw::pair::{Opened, Partner, Start, State};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -285,9 +285,9 @@ impl<'a> Follow<'a> {
         let time = dt * ((s.step - self.start.first) as f64 - self.before);
         let was = std::mem::replace(&mut self.overlap, overlap);
         if s.touching {
-            self.seen.peak = self.seen.peak.max(s.stage.fn_);
+            self.seen.peak = self.seen.peak.max(s.response.fn_);
             if self.with_force {
-                self.seen.force.push((time, s.stage.fn_));
+                self.seen.force.push((time, s.response.fn_));
             }
         } else if time > dt {
             // Surfaces part between two steps, where the velocity is nearly constant.

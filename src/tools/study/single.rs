@@ -2,13 +2,13 @@
 use super::matter::Matter;
 use super::shot::{Outcome, Shot};
 use granlaw::lane::{dot, Lanes};
-use granlaw::law::{Body, Call, ForLanes, Law, Setup, Size, Slots, Stage, Surface};
+use granlaw::model::{Body, Call, ForLanes, Law, Setup, Size, Slots, Response, Surface};
 use granlaw::laws::made;
 use nalgebra::Vector3;
 
 /// A law in single precision, with a common interface for laws whose coefficients have different types.
 trait Kernel {
-    fn touch(&mut self, call: &Call, x: &Surface<f32>, s: &mut Stage<f32>);
+    fn surfaces_intersect(&mut self, call: &Call, x: &Surface<f32>, s: &mut Response<f32>);
 }
 
 struct Prepared<W: Law> {
@@ -17,8 +17,8 @@ struct Prepared<W: Law> {
 }
 
 impl<W: Law> Kernel for Prepared<W> {
-    fn touch(&mut self, call: &Call, x: &Surface<f32>, s: &mut Stage<f32>) {
-        W::touch(&self.params, call, x, &mut self.history, s);
+    fn surfaces_intersect(&mut self, call: &Call, x: &Surface<f32>, s: &mut Response<f32>) {
+        W::surfaces_intersect(&self.params, call, x, &mut self.history, s);
     }
 }
 
@@ -81,19 +81,19 @@ pub fn impact(matter: &Matter, shot: &Shot, dt: f64, before: f64) -> Option<Outc
     let mut kernels = kernels(matter, &size).filter(|_| !shot.wall && shot.rest.is_none())?;
     let mut balls = start.bodies.each_ref().map(Ball::new);
     let (call, half) = (Call { dt, step: 1, update: true, ..Call::default() }, (0.5 * dt) as f32);
-    let (mut stage, mut seen) = (Stage::<f32>::default(), Outcome::default());
+    let (mut response, mut seen) = (Response::<f32>::default(), Outcome::default());
     for step in 1..100_000_000u64 {
-        kick(&mut balls, &stage, half);
+        kick(&mut balls, &response, half);
         balls.iter_mut().for_each(|b| b.x += b.v * dt as f32);
-        stage = Stage::default();
+        response = Response::default();
         let time = (step as f64 - before) * dt;
         if let Some(surface) = surface(&balls) {
-            kernels.iter_mut().for_each(|k| k.touch(&call, &surface, &mut stage));
-            seen.peak = seen.peak.max(stage.fn_.into());
+            kernels.iter_mut().for_each(|k| k.surfaces_intersect(&call, &surface, &mut response));
+            seen.peak = seen.peak.max(response.fn_.into());
         } else if time > dt {
             (seen.duration, seen.parted) = (time, true);
         }
-        kick(&mut balls, &stage, half);
+        kick(&mut balls, &response, half);
         if seen.parted || !balls[0].x.x.is_finite() {
             break;
         }
@@ -102,9 +102,9 @@ pub fn impact(matter: &Matter, shot: &Shot, dt: f64, before: f64) -> Option<Outc
     Some(Outcome { peak: seen.peak, duration: seen.duration, parted: seen.parted, ..shot.judge(&bodies) })
 }
 
-fn kick(balls: &mut [Ball; 2], stage: &Stage<f32>, half: f32) {
-    balls[0].kick(half, &stage.force, &stage.torque_i);
-    balls[1].kick(half, &-stage.force, &stage.torque_j);
+fn kick(balls: &mut [Ball; 2], response: &Response<f32>, half: f32) {
+    balls[0].kick(half, &response.force, &response.torque_i);
+    balls[1].kick(half, &-response.force, &response.torque_j);
 }
 
 /// The surface model for two spheres, if they overlap.

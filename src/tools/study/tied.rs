@@ -5,7 +5,7 @@
 use super::row::Tied;
 use super::shot::{beads, Outcome, Shot};
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Call, Contact, Stage};
+use granlaw::model::{Body, Call, Contact, Response};
 use granlaw::pair::{approach, Start};
 use nalgebra::Vector3;
 
@@ -40,12 +40,12 @@ impl Row<'_> {
         self.forces.iter_mut().for_each(|f| *f = [Vector3::zeros(); 2]);
         for (k, history) in self.histories.iter_mut().enumerate() {
             let (gap, _) = approach(&self.start, &[self.bodies[k], self.bodies[k + 1]], call);
-            let mut s = Stage::default();
+            let mut s = Response::default();
             let sum = gap.i.radius + gap.j.radius;
             if gap.rsq < sum * sum {
-                self.chain.touch((0, 0), &Contact::pair(gap), history, &mut s);
+                self.chain.surfaces_intersect((0, 0), &Contact::pair(gap), history, &mut s);
             } else {
-                self.chain.apart((0, 0), &gap, history, &mut s);
+                self.chain.surfaces_close((0, 0), &gap, history, &mut s);
             }
             let [i, j] = [[s.force, s.torque_i], [-s.force, s.torque_j]];
             for (at, add) in [(k, i), (k + 1, j)] {

@@ -1,6 +1,6 @@
 //! The head of a trace: where it comes from, and the laws with their coefficients.
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Kind, LawError, Need, Settings, Setup, Slot, Values};
+use granlaw::model::{Body, Kind, LawError, Need, Settings, Setup, Slot, Values};
 use granlaw::laws::{find, LAWS};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};

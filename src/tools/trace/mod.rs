@@ -24,7 +24,7 @@ pub use header::{Header, HeaderError, LawSpec, Particle, Property};
 pub use read::Reader;
 pub use write::Writer;
 
-use granlaw::law::{Contact, Gap, Stage, Surface};
+use granlaw::model::{Contact, ClosePair, Response, Surface};
 use nalgebra::Vector3;
 
 /// The format that this version writes and reads.
@@ -33,7 +33,7 @@ pub const VERSION: u32 = 1;
 const MARK: &str = "# granlaw trace ";
 const END: &str = "# end ";
 
-/// The quantities that the laws of a chain pass on to each other, after the last law; units as in [`Stage`].
+/// The quantities that the laws of a chain pass on to each other, after the last law; units as in [`Response`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Handed {
     /// Normal force \[N\], positive when it pushes apart.
@@ -48,8 +48,8 @@ pub struct Handed {
     pub gammat: f64,
 }
 
-impl From<&Stage> for Handed {
-    fn from(s: &Stage) -> Handed {
+impl From<&Response> for Handed {
+    fn from(s: &Response) -> Handed {
         Handed { fn_: s.fn_, kn: s.kn, kt: s.kt, gamman: s.gamman, gammat: s.gammat }
     }
 }
@@ -66,7 +66,7 @@ pub struct Row {
     /// Atom types of i and j, from 0; of a wall, the type of its material. In the file they count from 1.
     pub types: (usize, usize),
     /// The call and the bodies.
-    pub gap: Gap,
+    pub close: ClosePair,
     /// The result of the surface model; zeros unless they touch.
     pub surface: Surface,
     /// History before the call, all slots of the chain.
@@ -90,12 +90,12 @@ pub struct Row {
 impl Row {
     /// Bodies and surfaces together.
     pub fn contact(&self) -> Contact {
-        Contact { gap: self.gap, surface: self.surface }
+        Contact { close: self.close, surface: self.surface }
     }
 
     /// Fill in what follows from the columns of a file.
     fn complete(&mut self) {
-        let Gap { call, i, j, rsq, .. } = &mut self.gap;
+        let ClosePair { call, i, j, rsq, .. } = &mut self.close;
         call.update = self.computeflag != 0 && self.shearupdate != 0;
         (i.frozen, j.frozen) = (i.mass.is_infinite(), j.mass.is_infinite());
         self.surface.r = match (self.touch, call.is_wall) {

@@ -229,7 +229,7 @@ impl<R: Read> Reader<R> {
             }
         }
         for place in self.header.places() {
-            for body in [&mut row.gap.i, &mut row.gap.j] {
+            for body in [&mut row.close.i, &mut row.close.j] {
                 let number = at.number()?;
                 if let Some(place) = place {
                     body.given[place] = number;

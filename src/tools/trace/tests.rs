@@ -1,6 +1,6 @@
 //! Written traces read back the same, and damaged ones say what is wrong with them.
 use super::*;
-use granlaw::law::{Body, Call};
+use granlaw::model::{Body, Call};
 use std::io::Cursor;
 
 fn header() -> Header {
@@ -67,7 +67,7 @@ fn row() -> Row {
         ..Body::default()
     };
     let (i, j) = (body(3, &mut vector), body(-1, &mut vector));
-    let gap = Gap { call, i, j, delta: vector(), rsq: vector().x, meff: vector().y };
+    let gap = ClosePair { call, i, j, delta: vector(), rsq: vector().x, meff: vector().y };
     let deltan = vector().x;
     let surface = Surface {
         r: i.radius - deltan,
@@ -91,7 +91,7 @@ fn row() -> Row {
         shearupdate: 1,
         touch: true,
         types: (0, 1),
-        gap,
+        close: gap,
         surface,
         before: vec![-0.0],
         after: vec![1e-17],

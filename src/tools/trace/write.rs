@@ -1,7 +1,7 @@
 //! Writing a trace, one row at a time.
 use super::columns::{column_names, Cell, COLUMNS};
 use super::{Header, Row, TraceError, END, MARK, VERSION};
-use granlaw::law::Gap;
+use granlaw::model::ClosePair;
 use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -120,7 +120,7 @@ impl<W: Write> Writer<W> {
 
     fn write(&mut self, row: &Row) -> csv::Result<()> {
         self.scratch.clone_from(row);
-        let Gap { i, j, .. } = &mut self.scratch.gap;
+        let ClosePair { i, j, .. } = &mut self.scratch.close;
         (i.mass, j.mass) = (i.felt_mass(), j.felt_mass());
         for column in COLUMNS {
             match (column.cell)(&mut self.scratch) {
@@ -135,7 +135,7 @@ impl<W: Write> Writer<W> {
             }
         }
         for place in &self.places {
-            for body in [&row.gap.i, &row.gap.j] {
+            for body in [&row.close.i, &row.close.j] {
                 number(&mut self.out, &mut self.text, place.map_or(f64::NEG_INFINITY, |k| body.given[k]))?;
             }
         }

@@ -6,7 +6,7 @@ use crate::deck::Final;
 use crate::replay::{replay_from, Replay, ReplayError};
 use crate::report::{Case, Check, Curve, Parameter, Shows, Worst};
 use crate::trace::{Header, LawSpec, Property, Reader, Row, TraceError};
-use granlaw::law::Shape;
+use granlaw::model::Shape;
 use granlaw::laws::find;
 use std::path::{Path, PathBuf};
 

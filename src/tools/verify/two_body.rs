@@ -2,7 +2,7 @@
 use super::checks::{self, Limit};
 use crate::report::{Check, Curve, Shows, Worst};
 use crate::trace::{Header, Reader, Row, TraceError};
-use granlaw::law::Body;
+use granlaw::model::Body;
 use granlaw::pair::{self, Opened, Partner, Start, State};
 use nalgebra::Vector3;
 use std::fs::File;
@@ -44,10 +44,10 @@ fn compare(traces: &[PathBuf]) -> Result<(Worst, Curve), String> {
             return;
         }
         let error = scale.compare(state, row, &mut worst);
-        let gap = &state.contact.gap;
+        let gap = &state.contact.close;
         curve.time.push(state.step as f64 * start.dt);
         curve.overlap.push(gap.i.radius + gap.j.radius - gap.rsq.sqrt());
-        curve.force.push(state.stage.force.dot(&gap.delta) / gap.rsq.sqrt());
+        curve.force.push(state.response.force.dot(&gap.delta) / gap.rsq.sqrt());
         curve.error.push(error);
     });
     rows.failed.map_or(Ok((worst, curve)), |e| Err(e.to_string()))
@@ -76,7 +76,7 @@ impl Seen {
         }
         let mut seen = Seen { header, first: row.clone(), last: 0, told: false, scale: Scale::default() };
         loop {
-            (seen.last, seen.told) = (row.gap.call.step, seen.told || !row.touch);
+            (seen.last, seen.told) = (row.close.call.step, seen.told || !row.touch);
             seen.scale.raise(&row);
             if !reader.read(&mut row).map_err(|e| e.to_string())? {
                 break;
@@ -97,7 +97,7 @@ impl Seen {
         let [a, b] = &header.particles[..] else {
             return Err(format!("needs two particles, the trace has {}", header.particles.len()));
         };
-        let (gap, reduced) = (&row.gap, a.mass * b.mass / (a.mass + b.mass));
+        let (gap, reduced) = (&row.close, a.mass * b.mass / (a.mass + b.mass));
         let near = |x: f64| (gap.meff - x).abs() < 1e-12 * x;
         let partner = match () {
             _ if gap.call.is_wall => return Err("needs two free particles, the trace is of a wall".into()),
@@ -150,10 +150,10 @@ impl Rows {
 
     /// The row of a step, if there is one; steps are asked for in order.
     fn at(&mut self, step: i64) -> Option<&Row> {
-        while self.more && self.row.gap.call.step < step {
+        while self.more && self.row.close.call.step < step {
             self.next();
         }
-        (self.more && self.row.gap.call.step == step).then_some(&self.row)
+        (self.more && self.row.close.call.step == step).then_some(&self.row)
     }
 }
 
@@ -170,9 +170,9 @@ impl Scale {
     fn raise(&mut self, r: &Row) {
         let speed = |b: &Body| b.v.norm().max(b.omega.norm() * b.radius);
         // If the bodies never touch, the gap is the scale.
-        let overlap = r.gap.i.radius + r.gap.j.radius - r.gap.rsq.sqrt();
+        let overlap = r.close.i.radius + r.close.j.radius - r.close.rsq.sqrt();
         self.overlap = self.overlap.max(overlap.abs());
-        self.speed = self.speed.max(speed(&r.gap.i)).max(speed(&r.gap.j));
+        self.speed = self.speed.max(speed(&r.close.i)).max(speed(&r.close.j));
         self.force = self.force.max(r.force_i.norm());
     }
 
@@ -180,8 +180,8 @@ impl Scale {
     /// contact.
     fn compare(&self, state: &State, row: Option<&Row>, worst: &mut Worst) -> f64 {
         let none = Row::default();
-        let (ours, stage) = (&state.contact.gap, &state.stage);
-        let (gap, row) = row.map_or((ours, &none), |r| (&r.gap, r));
+        let (ours, response) = (&state.contact.close, &state.response);
+        let (gap, row) = row.map_or((ours, &none), |r| (&r.close, r));
         let lever = ours.i.radius.max(ours.j.radius);
         let pairs = [
             ("delta", ours.delta, gap.delta, self.overlap),
@@ -189,9 +189,9 @@ impl Scale {
             ("v_j", ours.j.v, gap.j.v, self.speed),
             ("omega_i", ours.i.omega, gap.i.omega, self.speed / lever),
             ("omega_j", ours.j.omega, gap.j.omega, self.speed / lever),
-            ("torque_i", stage.torque_i, row.torque_i, self.force * lever),
-            ("torque_j", stage.torque_j, row.torque_j, self.force * lever),
-            ("force_i", stage.force, row.force_i, self.force),
+            ("torque_i", response.torque_i, row.torque_i, self.force * lever),
+            ("torque_j", response.torque_j, row.torque_j, self.force * lever),
+            ("force_i", response.force, row.force_i, self.force),
         ];
         let mut last = 0.0;
         for (what, got, expected, scale) in pairs {

@@ -1,6 +1,6 @@
 //! A bond on its own, with its properties by name.
 use granlaw::chain::Chain;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::find;
 use nalgebra::{Rotation3, Vector3};
 use std::collections::BTreeMap;
@@ -91,9 +91,9 @@ impl Worst {
 pub struct Driven {
     chain: Chain,
     pub history: Vec<f64>,
-    pub gap: Gap,
-    pub stage: Stage,
-    pub life: Life,
+    pub close: ClosePair,
+    pub response: Response,
+    pub bond_event: BondEvent,
     pub dt: f64,
 }
 
@@ -103,7 +103,7 @@ impl Driven {
         let body = |tag, x| Body { tag, radius: 5e-4, mass: 1.3e-6, x, ..Body::default() };
         Driven::new(
             deck,
-            Gap { i: body(1, delta), j: body(2, Vector3::zeros()), meff: 6.5e-7, ..Gap::default() },
+            ClosePair { i: body(1, delta), j: body(2, Vector3::zeros()), meff: 6.5e-7, ..ClosePair::default() },
         )
     }
 
@@ -113,61 +113,61 @@ impl Driven {
         let call = Call { is_wall: true, ..Call::default() };
         Driven::new(
             deck,
-            Gap { call, i, j: Body { tag: -1, ..Body::default() }, meff: 1.3e-6, ..Gap::default() },
+            ClosePair { call, i, j: Body { tag: -1, ..Body::default() }, meff: 1.3e-6, ..ClosePair::default() },
         )
     }
 
-    fn new(deck: &Deck, mut gap: Gap) -> Driven {
+    fn new(deck: &Deck, mut gap: ClosePair) -> Driven {
         let (chain, dt) = (deck.chain(), 1e-7);
         gap.call = Call { dt, update: true, counts: true, ..gap.call };
         let mut driven = Driven {
             history: vec![0.0; chain.row()],
             chain,
-            gap,
-            stage: Stage::default(),
-            life: Life::None,
+            close: gap,
+            response: Response::default(),
+            bond_event: BondEvent::None,
             dt,
         };
         driven.evaluate();
-        assert_eq!(driven.life, Life::Begins);
+        assert_eq!(driven.bond_event, BondEvent::Begins);
         driven
     }
 
     fn evaluate(&mut self) {
-        let g = &mut self.gap;
+        let g = &mut self.close;
         g.call.step += i64::from(g.call.update);
         g.delta = g.i.x - g.j.x;
         g.rsq = granlaw::lane::dot(&g.delta, &g.delta);
-        self.stage = Stage::default();
-        self.life = self.chain.apart((0, 0), g, &mut self.history, &mut self.stage).life;
+        self.response = Response::default();
+        self.bond_event = self.chain.surfaces_close((0, 0), g, &mut self.history, &mut self.response).bond_event;
     }
 
     /// One step in which i moves with v, and both spin.
     pub fn step(&mut self, v: Vector3<f64>, omega_i: Vector3<f64>, omega_j: Vector3<f64>) {
         let way = v * self.dt;
-        (self.gap.i.v, self.gap.i.omega, self.gap.j.omega) = (v, omega_i, omega_j);
-        self.gap.i.x += way;
+        (self.close.i.v, self.close.i.omega, self.close.j.omega) = (v, omega_i, omega_j);
+        self.close.i.x += way;
         self.evaluate();
     }
 
     /// One step to a place that is not summed up, so that it does not collect rounding.
     pub fn go(&mut self, delta: Vector3<f64>, v: Vector3<f64>, omega_i: Vector3<f64>, omega_j: Vector3<f64>) {
-        (self.gap.i.x, self.gap.i.v) = (delta, v);
-        (self.gap.i.omega, self.gap.j.omega) = (omega_i, omega_j);
+        (self.close.i.x, self.close.i.v) = (delta, v);
+        (self.close.i.omega, self.close.j.omega) = (omega_i, omega_j);
         self.evaluate();
     }
 
     /// One step to a place, at rest afterwards.
     pub fn place(&mut self, delta: Vector3<f64>) {
-        self.gap.i.v = (delta - self.gap.i.x) / self.dt;
-        self.gap.i.x = delta;
+        self.close.i.v = (delta - self.close.i.x) / self.dt;
+        self.close.i.x = delta;
         self.evaluate();
-        self.gap.i.v = Vector3::zeros();
+        self.close.i.v = Vector3::zeros();
     }
 
     /// The part of its strength that the bond uses, as it is told to a probe.
     pub fn used(&mut self) -> f64 {
-        let x = Contact { gap: self.gap, ..Contact::default() };
+        let x = Contact { close: self.close, ..Contact::default() };
         let mut used = f64::NAN;
         self.chain.observe_each((0, 0), &x, &self.history, |_, terms| used = terms.load);
         used
@@ -175,24 +175,24 @@ impl Driven {
 
     /// What the law would answer elsewhere, without leave to write.
     pub fn query(&mut self, delta: Vector3<f64>) {
-        let (x, call) = (self.gap.i.x, self.gap.call);
-        (self.gap.i.x, self.gap.call.update) = (delta, false);
+        let (x, call) = (self.close.i.x, self.close.call);
+        (self.close.i.x, self.close.call.update) = (delta, false);
         self.evaluate();
-        (self.gap.i.x, self.gap.call) = (x, call);
+        (self.close.i.x, self.close.call) = (x, call);
     }
 
     /// One step of a rigid rotation about the centre of j.
     pub fn turn_rigidly(&mut self, omega: &Vector3<f64>) {
-        let before = self.gap.i.x;
+        let before = self.close.i.x;
         let after = Rotation3::new(omega * self.dt) * before;
         self.step((after - before) / self.dt, *omega, *omega);
     }
 
     /// i and j change places; no slot of the bond is odd.
     pub fn swap(&mut self) {
-        std::mem::swap(&mut self.gap.i, &mut self.gap.j);
+        std::mem::swap(&mut self.close.i, &mut self.close.j);
         // The one that is moved by hand stays i.
-        let shift = self.gap.j.x;
-        (self.gap.i.x, self.gap.j.x) = (self.gap.i.x - shift, Vector3::zeros());
+        let shift = self.close.j.x;
+        (self.close.i.x, self.close.j.x) = (self.close.i.x - shift, Vector3::zeros());
     }
 }

@@ -1,7 +1,7 @@
 //! Free pairs under a bond, in LIGGGHTS's time integration: momentum, energy, damping, critical steps.
 use super::bench::{Deck, Driven};
 use granlaw::critical::Mode;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::pair::{run, states, Opened, Partner, Start, State};
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::PI;
@@ -224,7 +224,7 @@ fn the_law_tells_the_critical_steps_of_unlike_bodies_and_of_a_wall() {
 fn damping_and_the_speed_of_a_blow_count() {
     let stiffness = |deck: &Deck, name: &str, speed: f64| {
         let body = Body { radius: R[0], mass: M[0], ..Body::default() };
-        let size = Gap { i: body, j: body, ..Gap::default() }.weighed().size();
+        let size = ClosePair { i: body, j: body, ..ClosePair::default() }.weighed().size();
         let all = deck.chain().swings((0, 0), &size, speed);
         all.into_iter().find(|s| s.name == name).expect("a mode").stiffness
     };
@@ -282,12 +282,12 @@ fn a_bond_that_swings_round_in_one_step_breaks() {
         let mut pair = Driven::pair(&Deck::documented(), Vector3::x() * 1.02e-3);
         (0..5).for_each(|_| pair.step(Vector3::y() * 0.2, Vector3::z() * 100.0, Vector3::zeros()));
         pair.place(to.normalize() * 1.02e-3);
-        (pair.life, pair.stage.force.norm(), pair.history.iter().all(|&h| h == 0.0))
+        (pair.bond_event, pair.response.force.norm(), pair.history.iter().all(|&h| h == 0.0))
     };
     let back = -Vector3::new(1.02e-3, 5.0 * 0.2e-7, 0.0);
     for to in [back, -Vector3::x(), -Vector3::y(), Vector3::new(-0.01, 1.0, 1.0)] {
-        assert_eq!(after(to), (Life::Ends, 0.0, true), "{to}");
+        assert_eq!(after(to), (BondEvent::Ends, 0.0, true), "{to}");
     }
     let (life, force, _) = after(Vector3::new(0.1, 1.0, 1.0));
-    assert!(life == Life::Lasts && force.is_finite() && force > 0.0);
+    assert!(life == BondEvent::Lasts && force.is_finite() && force > 0.0);
 }

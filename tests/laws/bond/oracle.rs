@@ -1,6 +1,6 @@
 //! The Rust law along the paths of `scripts/oracle/bond.py`, carrying its own history.
 use super::bench::{Deck, Worst};
-use granlaw::law::*;
+use granlaw::model::*;
 use nalgebra::Vector3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -98,7 +98,7 @@ impl Case {
     }
 
     /// What the law sees in a row.
-    fn gap(&self, row: &[f64]) -> Gap {
+    fn gap(&self, row: &[f64]) -> ClosePair {
         let three = |k: usize| Vector3::new(row[2 + 3 * k], row[3 + 3 * k], row[4 + 3 * k]);
         let (radii, masses, tags) = (self.numbers("radii"), self.numbers("masses"), self.numbers("tags"));
         let body = |k: usize, x, v, omega| Body {
@@ -124,7 +124,7 @@ impl Case {
             is_wall,
             ..Call::default()
         };
-        Gap { call, i, j, delta, rsq: granlaw::lane::dot(&delta, &delta), meff }
+        ClosePair { call, i, j, delta, rsq: granlaw::lane::dot(&delta, &delta), meff }
     }
 }
 
@@ -143,8 +143,8 @@ fn follow(case: &Case, deck: &Deck) -> Result<Found, String> {
     let (mut h, mut found) = (vec![0.0; chain.row()], Found::default());
     for row in &case.rows {
         let gap = case.gap(row);
-        let mut s = Stage::default();
-        let done = chain.apart((0, 0), &gap, &mut h, &mut s);
+        let mut s = Response::default();
+        let done = chain.surfaces_close((0, 0), &gap, &mut h, &mut s);
         let expected = |k: usize| Vector3::new(row[20 + 3 * k], row[21 + 3 * k], row[22 + 3 * k]);
         for axis in 0..3 {
             found.force.add(s.force[axis], expected(0)[axis]);
@@ -155,9 +155,9 @@ fn follow(case: &Case, deck: &Deck) -> Result<Found, String> {
         if bonded != (row[29] == 1.0) {
             return Err(format!("step {}: bonded {bonded}, which the oracle denies", row[0]));
         }
-        found.broke |= done.life == Life::Ends;
+        found.broke |= done.bond_event == BondEvent::Ends;
         if bonded && gap.call.update {
-            let x = Contact { gap, ..Contact::default() };
+            let x = Contact { close: gap, ..Contact::default() };
             found.branches.insert(chain.observe((0, 0), &x, &h)[0].branch);
         }
     }

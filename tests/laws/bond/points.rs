@@ -1,6 +1,6 @@
 //! The points in which document, corrected document and upstream header differ; numbers as in the law's sheet.
 use super::bench::{Deck, Driven};
-use granlaw::law::*;
+use granlaw::model::*;
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::PI;
 
@@ -35,12 +35,12 @@ fn point_1_a_rigid_rotation_shears_nothing() {
         }
         let sheared = 4e9 * area() * 0.1 * 1e-7 * 1000.0;
         assert!(
-            pair.stage.force.norm() < 1e-4 * sheared,
+            pair.response.force.norm() < 1e-4 * sheared,
             "{convention}: {:e} of {sheared:e} N",
-            pair.stage.force.norm()
+            pair.response.force.norm()
         );
-        let (n, v) = (pair.gap.delta.normalize(), pair.gap.i.v - pair.gap.j.v);
-        let radius = pair.gap.i.radius;
+        let (n, v) = (pair.close.delta.normalize(), pair.close.i.v - pair.close.j.v);
+        let radius = pair.close.i.radius;
         let printed = v - n * v.dot(&n) + (omega * radius - omega * radius).cross(&n);
         approx::assert_relative_eq!(printed.norm(), 0.1, max_relative = 1e-6);
     }
@@ -52,14 +52,14 @@ fn point_2_torques_keep_the_angular_momentum() {
     for convention in CONVENTIONS {
         let mut pair = Driven::pair(&bond(convention), Vector3::x() * 1.02e-3);
         (0..50).for_each(|_| pair.step(Vector3::y() * 0.2, Vector3::zeros(), Vector3::zeros()));
-        let s = &pair.stage;
-        let orbital = pair.gap.delta.cross(&s.force);
+        let s = &pair.response;
+        let orbital = pair.close.delta.cross(&s.force);
         let lost = (orbital + s.torque_i + s.torque_j).norm();
         assert!(lost < 1e-15 * orbital.norm() + 1e-25, "{convention} loses {lost:e} of {:e}", orbital.norm());
         let printed = (orbital + s.torque_i - s.torque_i).norm();
         approx::assert_relative_eq!(
             printed,
-            pair.gap.delta.norm() * shear(&pair).norm(),
+            pair.close.delta.norm() * shear(&pair).norm(),
             max_relative = 1e-12
         );
     }
@@ -67,8 +67,8 @@ fn point_2_torques_keep_the_angular_momentum() {
 
 /// The part of the force across the bond \[N\].
 fn shear(pair: &Driven) -> Vector3<f64> {
-    let n = pair.gap.delta.normalize();
-    pair.stage.force - n * pair.stage.force.dot(&n)
+    let n = pair.close.delta.normalize();
+    pair.response.force - n * pair.response.force.dot(&n)
 }
 
 /// (3) The same number K_fn1 means A times less force in the documented convention; tension is the same.
@@ -80,7 +80,7 @@ fn point_3_compression_of_the_header_lacks_the_area() {
             Vector3::x() * 1.02e-3,
         );
         pair.place(Vector3::x() * (1.02e-3 - delta));
-        pair.stage.force.x
+        pair.response.force.x
     };
     approx::assert_relative_eq!(at("documented", 2e-6), area() * at("upstream", 2e-6), max_relative = 1e-14);
     approx::assert_relative_eq!(
@@ -100,7 +100,7 @@ fn point_4_branch_2_stands_in_for_branch_1() {
         let at = |convention: &'static str| {
             let mut pair = Driven::pair(&bond(convention), Vector3::x() * 1.02e-3);
             pair.place(Vector3::x() * r);
-            pair.stage.force.x
+            pair.response.force.x
         };
         let (a, b) = (at("documented"), at("upstream"));
         let root = |r: f64| (r * r).sqrt();
@@ -122,7 +122,7 @@ fn point_5_crossing_zero_forgets_nothing() {
         for delta in [4e-6, -1e-6, 3e-6] {
             pair.place(Vector3::x() * (1.02e-3 - delta));
         }
-        pair.stage.force.x / area()
+        pair.response.force.x / area()
     };
     let (virgin, reloading) = (4e7 * (3e-6f64).sqrt(), 8e7 * (3e-6f64).sqrt() - 4e7 * (4e-6f64).sqrt());
     approx::assert_relative_eq!(again("documented"), reloading, max_relative = 1e-10);
@@ -135,7 +135,7 @@ fn point_6_there_is_no_deadband() {
     let small = |convention: &'static str| {
         let mut pair = Driven::pair(&bond(convention), Vector3::x() * 1.02e-3);
         pair.place(Vector3::x() * (1.02e-3 - 9e-16));
-        pair.stage.force.x
+        pair.response.force.x
     };
     assert_eq!(small("upstream"), 0.0);
     // δ is what is left of 1.02 mm, rounded to 2e-19 m.
@@ -151,7 +151,7 @@ fn point_7_twist_has_no_handedness() {
             let spin = Vector3::x() * (600.0 * way);
             (0..80).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
             (0..30).for_each(|_| pair.step(Vector3::zeros(), -spin, spin));
-            pair.stage.torque_i.x
+            pair.response.torque_i.x
         };
         assert_eq!(torque(1.0), -torque(-1.0), "{convention}");
         assert!(torque(1.0) < 0.0);
@@ -167,12 +167,12 @@ fn point_8_bending_turns_with_the_bond() {
         let mut pair = Driven::pair(&bond(convention).with("shearStress", "off"), Vector3::x() * 1.02e-3);
         let spin = Vector3::z() * 600.0;
         (0..50).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
-        let before = pair.stage.torque_i;
+        let before = pair.response.torque_i;
         let steps = 2000;
         let omega = Vector3::y() * (0.5 * PI / (steps as f64 * pair.dt));
         (0..steps).for_each(|_| pair.turn_rigidly(&omega));
-        let n = pair.gap.delta.normalize();
-        (before.norm(), pair.stage.torque_i.dot(&n).abs(), pair.stage.torque_i)
+        let n = pair.close.delta.normalize();
+        (before.norm(), pair.response.torque_i.dot(&n).abs(), pair.response.torque_i)
     };
     let (size, along, torque) = turned("documented");
     assert!(along < 1e-12 * size, "twist {along:e} of {size:e}");
@@ -190,13 +190,13 @@ fn point_8_shear_is_carried_to_second_order() {
     let off = |steps_per_turn: usize| {
         let mut pair = Driven::pair(&bond("documented"), Vector3::x() * 1.02e-3);
         (0..300).for_each(|_| pair.step(Vector3::y() * 0.2, Vector3::zeros(), Vector3::zeros()));
-        let (before, normal) = (shear(&pair), pair.gap.delta.normalize());
+        let (before, normal) = (shear(&pair), pair.close.delta.normalize());
         // About an axis that is not normal to the bond, so that its spin counts too.
         let axis = nalgebra::Unit::new_normalize(Vector3::new(1.0, 2.0, 2.0));
         let (steps, angle) = (steps_per_turn * 5 / 4, 2.0 * PI / steps_per_turn as f64);
         (0..steps).for_each(|_| pair.turn_rigidly(&(axis.into_inner() * (angle / pair.dt))));
         let q = Rotation3::from_axis_angle(&axis, angle * steps as f64);
-        assert!((q * normal - pair.gap.delta.normalize()).norm() < 1e-9);
+        assert!((q * normal - pair.close.delta.normalize()).norm() < 1e-9);
         (q * before - shear(&pair)).norm() / before.norm()
     };
     let (coarse, fine) = (off(1571), off(6284));
@@ -229,7 +229,7 @@ fn point_9_damping_knows_no_axes() {
         // Loaded one way, moved another.
         let (place, v) = (Vector3::x() * 1.02e-3 + v * (40.0 * pair.dt), Vector3::new(0.9, -0.7, 0.8));
         pair.go(q * (place + v * pair.dt), q * v, q * Vector3::new(-80.0, 50.0, 90.0), Vector3::zeros());
-        (q.inverse() * pair.stage.force, pair.stage.force.norm())
+        (q.inverse() * pair.response.force, pair.response.force.norm())
     };
     for (convention, changes) in [("documented", false), ("upstream", true)] {
         let straight = answer(convention, 0.0);
@@ -245,7 +245,7 @@ fn point_9_damping_knows_no_axes() {
         let deck = deck.with("bondConvention", convention).with("shearStress", "off");
         let mut pair = Driven::pair(&deck, along * 1.02e-3);
         (0..20).for_each(|_| pair.step(along * 0.02, Vector3::zeros(), Vector3::zeros()));
-        shear(&pair).norm() / pair.stage.force.norm()
+        shear(&pair).norm() / pair.response.force.norm()
     };
     assert!(off_normal("documented") < 1e-14, "{:e}", off_normal("documented"));
     assert!(off_normal("upstream") > 0.01, "{:e}", off_normal("upstream"));
@@ -264,7 +264,7 @@ fn point_10_partners_may_change_places() {
             pair.swap();
         }
         pair.step(Vector3::zeros(), -spin, spin);
-        pair.stage.torque_i.x * if swaps { -1.0 } else { 1.0 }
+        pair.response.torque_i.x * if swaps { -1.0 } else { 1.0 }
     };
     assert_eq!(torque("documented", false), torque("documented", true));
     let (there, back) = (torque("upstream", false), torque("upstream", true));
@@ -282,7 +282,7 @@ fn point_11_queries_leave_no_trace() {
             pair.query(Vector3::x() * (1.02e-3 - 4e-6));
         }
         pair.place(Vector3::x() * (1.02e-3 - 3e-6));
-        pair.stage.force.x
+        pair.response.force.x
     };
     assert_eq!(force("documented", false), force("documented", true));
     assert!(force("upstream", true) < 0.95 * force("upstream", false));
@@ -297,11 +297,11 @@ fn point_12_a_new_bond_is_virgin() {
         let spin = Vector3::x() * 600.0;
         (0..80).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
         pair.place(Vector3::x() * 1.2e-3);
-        assert_eq!((pair.life, pair.stage.force), (Life::Ends, Vector3::zeros()), "{convention}");
+        assert_eq!((pair.bond_event, pair.response.force), (BondEvent::Ends, Vector3::zeros()), "{convention}");
         pair.place(Vector3::x() * 1.02e-3);
-        assert_eq!(pair.life, Life::Begins, "{convention}");
+        assert_eq!(pair.bond_event, BondEvent::Begins, "{convention}");
         (0..20).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
-        pair.stage.torque_i.x
+        pair.response.torque_i.x
     };
     // From the second of its steps on, as nothing is added in the step in which a bond begins.
     let polar = 0.5 * area() * (0.8f64 * 5e-4).powi(2);
@@ -319,7 +319,7 @@ fn point_13_a_wall_feels_the_whole_spin() {
     let rolled = |convention: &'static str| {
         let mut ball = Driven::wall(&bond(convention), Vector3::z() * 5.1e-4);
         (0..20).for_each(|_| ball.step(Vector3::zeros(), Vector3::y() * 100.0, Vector3::zeros()));
-        ball.stage.force.x
+        ball.response.force.x
     };
     // v_tr = −ω × r n.
     let expected = 4e9 * area() * 5.1e-4 * 100.0 * 1e-7 * 20.0;
@@ -343,7 +343,7 @@ fn point_14_the_strength_itself_breaks() {
         let deck = bond(convention).with("stressBreak", "on").set("maxSigmaBondnonlinear", strength * part);
         let mut pair = Driven::pair(&deck.set("maxTauBondnonlinear", 1e9), Vector3::x() * 1.02e-3);
         pair.place(Vector3::x() * 1.025e-3);
-        pair.life == Life::Ends
+        pair.bond_event == BondEvent::Ends
     };
     assert_eq!(CONVENTIONS.map(|c| ends(c, 1.0)), [true, false]);
     assert_eq!(CONVENTIONS.map(|c| ends(c, 1.0 + 1e-9)), [false, false]);

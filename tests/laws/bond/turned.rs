@@ -1,7 +1,7 @@
 //! A case that is turned as a whole gives the turned answer.
 use super::bench::Deck;
 use super::dynamics::tumbling;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::pair::{states, State};
 use nalgebra::{Rotation3, Vector3};
 
@@ -36,9 +36,9 @@ fn follow(
         let call = Call { dt: 1e-8, step: k as i64, update: k > 0, counts: true, is_wall: false };
         let delta = i.x - j.x;
         let (rsq, meff) = (granlaw::lane::dot(&delta, &delta), i.mass * j.mass / (i.mass + j.mass));
-        let mut stage = Stage::default();
-        chain.apart((0, 0), &Gap { call, i, j, delta, rsq, meff }, &mut h, &mut stage);
-        [stage.force, stage.torque_i, stage.torque_j].map(|a| q.inverse() * a)
+        let mut response = Response::default();
+        chain.surfaces_close((0, 0), &ClosePair { call, i, j, delta, rsq, meff }, &mut h, &mut response);
+        [response.force, response.torque_i, response.torque_j].map(|a| q.inverse() * a)
     };
     motion.iter().enumerate().map(&mut one).collect()
 }
@@ -97,7 +97,7 @@ fn what_turning_costs_is_the_rounding_of_positions() {
 fn a_turned_case_gives_the_turned_run() {
     let at = |q: &Rotation3<f64>| -> Answers {
         let all = states(&mut deck("documented").chain(), &tumbling(q, 4000));
-        let back = |s: &State| [s.stage.force, s.stage.torque_i, s.stage.torque_j].map(|a| q.inverse() * a);
+        let back = |s: &State| [s.response.force, s.response.torque_i, s.response.torque_j].map(|a| q.inverse() * a);
         all.iter().map(back).collect()
     };
     let straight = at(&Rotation3::identity());

@@ -1,6 +1,6 @@
 //! How much of its strength a bond uses, as a probe is told it.
 use super::bench::{Deck, Driven};
-use granlaw::law::Life;
+use granlaw::model::BondEvent;
 use nalgebra::Vector3;
 
 const BEGUN: f64 = 1.02e-3;
@@ -10,7 +10,7 @@ const STIFFNESS: f64 = 1e10;
 fn pulled(deck: &Deck, to: f64) -> (f64, bool) {
     let mut pair = Driven::pair(deck, Vector3::x() * BEGUN);
     pair.place(Vector3::x() * to);
-    (pair.used(), pair.life != Life::Ends)
+    (pair.used(), pair.bond_event != BondEvent::Ends)
 }
 
 fn by_stress(sigma: f64, tau: f64) -> Deck {

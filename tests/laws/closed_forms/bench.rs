@@ -1,6 +1,6 @@
 //! Spheres, chains and impacts for the closed forms.
 use granlaw::chain::Chain;
-use granlaw::law::{Body, Kind, Settings, Setup, Shape, Values};
+use granlaw::model::{Body, Kind, Settings, Setup, Shape, Values};
 use granlaw::laws::find;
 use granlaw::pair::{run, Opened, Partner, Start};
 use nalgebra::Vector3;
@@ -101,8 +101,8 @@ pub fn impact(chain: &mut Chain, start: &Start) -> Impact {
                 apart: false,
                 last: s.bodies[0],
             });
-            (o.overlap, o.force) = (o.overlap.max(now), o.force.max(s.stage.fn_));
-            o.pushed = if s.stage.fn_ > 0.0 { time } else { o.pushed };
+            (o.overlap, o.force) = (o.overlap.max(now), o.force.max(s.response.fn_));
+            o.pushed = if s.response.fn_ > 0.0 { time } else { o.pushed };
         } else if let Some(o) = out.as_mut().filter(|o| !o.apart) {
             // Surfaces part between two steps, with an all but constant velocity.
             o.duration = time + start.dt * now / (before - now);

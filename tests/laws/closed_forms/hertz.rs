@@ -1,6 +1,6 @@
 //! Hertz contact: peaks, durations and restitution, with the materials of Chung & Ooi (2011), tests 1 to 3.
 use super::bench::{chain, impact, near, sphere, start, Impact};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use nalgebra::Vector3;
 
 /// E \[Pa\], ν, ρ \[kg/m³\].

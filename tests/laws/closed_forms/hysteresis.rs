@@ -1,6 +1,6 @@
 //! Luding's law: restitution over impact speed and adhesion, sticking, durations, and the speeds that stock LIGGGHTS gave.
 use super::bench::{chain, impact, linear_stiffness, near, sphere, start, worst, Impact};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

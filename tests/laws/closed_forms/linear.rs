@@ -1,6 +1,6 @@
 //! Linear spring and dashpot: restitution, duration, and both without attraction (Schwager & Pöschel 2007).
 use super::bench::{chain, impact, linear_stiffness, near, sphere, start, Given, Impact};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

@@ -4,7 +4,7 @@
 //! a solid sphere.
 use super::bench::{chain, impact, near, sphere, start};
 use super::hertz::{Material, ALUMINA, RIGID};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use nalgebra::Vector3;
 
 /// A sphere before its impact on a wall at x = 0 or on another sphere.

@@ -1,6 +1,6 @@
 //! How fast velocity Verlet, as LIGGGHTS has it, converges in the time step: second order, first with a dashpot.
 use super::bench::{chain, impact, linear_stiffness, sphere, start};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

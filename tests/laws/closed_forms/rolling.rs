@@ -1,6 +1,6 @@
 //! Rolling resistance and friction on a plane under gravity, and between spheres.
 use super::bench::{chain, linear_stiffness, near, sphere};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use granlaw::pair::{states, Opened, Partner, Start, State};
 use nalgebra::Vector3;
 

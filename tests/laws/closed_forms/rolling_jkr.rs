@@ -1,6 +1,6 @@
 //! `cdt_jkr`: its coefficient, both conventions, rolling to rest, inclines, and the limit that ends the chatter.
 use super::bench::{chain, linear_stiffness, near, sphere};
-use granlaw::law::{Body, Call, Contact, Gap, Kind, Stage};
+use granlaw::model::{Body, Call, Contact, ClosePair, Kind, Response};
 use granlaw::pair::{run, Opened, Partner, Start};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -204,23 +204,23 @@ fn a_limit_that_does_not_know_the_torque_of_friction_creeps() {
 }
 
 /// Two spheres of unequal size and density that overlap along (1 2 2)/3, under the torques of a friction law.
-fn touching(spin: [Vector3<f64>; 2]) -> (Contact, Stage) {
+fn touching(spin: [Vector3<f64>; 2]) -> (Contact, Response) {
     let (mut i, mut j) = (sphere(R, RHO), sphere(0.6 * R, 2.0 * RHO));
     let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;
     (i.omega, j.omega, j.tag) = (spin[0], spin[1], 2);
     i.x = n * (1.6 * R - 1e-5);
     let call = Call { dt: 1e-6, step: 1, update: true, ..Call::default() };
-    let gap = Gap { call, i, j, delta: i.x, rsq: i.x.norm_squared(), meff: 0.0 }.weighed();
+    let gap = ClosePair { call, i, j, delta: i.x, rsq: i.x.norm_squared(), meff: 0.0 }.weighed();
     let torque = Vector3::new(2.0, -1.0, 0.0) * 1e-6;
-    (Contact::pair(gap), Stage { torque_i: torque, torque_j: 0.6 * torque, ..Stage::default() })
+    (Contact::pair(gap), Response { torque_i: torque, torque_j: 0.6 * torque, ..Response::default() })
 }
 
 /// The torque of the law alone, and Mmax of (8) with its coefficient.
-fn resist(x: &Contact, stage: &Stage, chosen: &[(&str, &str)]) -> (Vector3<f64>, f64) {
-    let mut s = *stage;
-    laws(&[NORMAL, JKR], chosen, 0.0).touch((0, 0), x, &mut [], &mut s);
-    let r = x.gap.i.radius * x.gap.j.radius / (x.gap.i.radius + x.gap.j.radius);
-    (s.torque_i - stage.torque_i, mu_r(r) * s.kn * x.surface.deltan * r)
+fn resist(x: &Contact, response: &Response, chosen: &[(&str, &str)]) -> (Vector3<f64>, f64) {
+    let mut s = *response;
+    laws(&[NORMAL, JKR], chosen, 0.0).surfaces_intersect((0, 0), x, &mut [], &mut s);
+    let r = x.close.i.radius * x.close.j.radius / (x.close.i.radius + x.close.j.radius);
+    (s.torque_i - response.torque_i, mu_r(r) * s.kn * x.surface.deltan * r)
 }
 
 #[test]
@@ -257,16 +257,16 @@ fn the_limit_ends_the_relative_spin_within_the_step_and_never_turns_it_round() {
     {
         let mut x = x;
         match held {
-            1 => x.gap.i.mass = f64::INFINITY,
-            2 => x.gap.j.mass = f64::INFINITY,
+            1 => x.close.i.mass = f64::INFINITY,
+            2 => x.close.j.mass = f64::INFINITY,
             _ => {}
         }
         let (m, most) = resist(&x, &s, chosen);
         assert!(m.norm() > 0.0 && m.norm() < most, "not limited: {} of {most}", m.norm());
         let turned = |b: &Body, torque: Vector3<f64>| {
-            b.omega + torque * (x.gap.call.dt / (0.4 * b.mass * b.radius.powi(2)))
+            b.omega + torque * (x.close.call.dt / (0.4 * b.mass * b.radius.powi(2)))
         };
-        let left = turned(&x.gap.i, s.torque_i + m) - turned(&x.gap.j, s.torque_j - m);
+        let left = turned(&x.close.i, s.torque_i + m) - turned(&x.close.j, s.torque_j - m);
         let rolling = left - x.surface.en * left.dot(&x.surface.en);
         near("what is left of the spin", rolling.norm(), 0.0, 1e-14, 1e-4).unwrap();
     }
@@ -284,12 +284,12 @@ fn with_its_coefficient_cdt_answers_bit_for_bit() {
     let told = mu_r(radi * radj / (radi + radj));
     near("R*", radi * radj / (radi + radj), r, 1e-15, r).unwrap();
     let cdt = |x: &Contact, torsion: &[(&str, &str)], mu: f64| {
-        let mut s = Stage::default();
-        laws(&[NORMAL, CDT], torsion, mu).touch((0, 0), x, &mut [], &mut s);
+        let mut s = Response::default();
+        laws(&[NORMAL, CDT], torsion, mu).surfaces_intersect((0, 0), x, &mut [], &mut s);
         s.torque_i
     };
     let (x, _) = touching([across, Vector3::zeros()]);
-    let none = Stage::default();
+    let none = Response::default();
     assert_eq!(resist(&x, &none, &[DOCUMENTED]).0, cdt(&x, &[], told));
     assert_ne!(resist(&x, &none, &[DOCUMENTED]).0, cdt(&x, &[], told.next_up().next_up()));
     let (x, _) = touching([Vector3::new(1.0, 5.0, -2.0), across]);

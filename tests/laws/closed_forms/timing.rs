@@ -1,6 +1,6 @@
 //! `centredDamping` and `touchFraction`: by which power of the step errors fall with them, for a pair and for a wall.
 use super::bench::{chain, impact, linear_stiffness, sphere, start};
-use granlaw::law::{Body, Kind};
+use granlaw::model::{Body, Kind};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! Single evaluations against the equations worked out here: what an impact alone would not pin down.
 use super::bench::{chain, linear_stiffness, near, sphere, Given};
-use granlaw::law::{Body, Call, Contact, Gap, Kind, Stage};
+use granlaw::model::{Body, Call, Contact, ClosePair, Kind, Response};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -27,17 +27,17 @@ fn contact(v: Vector3<f64>) -> Contact {
     let i = Body { v, x: Vector3::x() * (2.0 * R - OVERLAP), ..sphere(R, 2500.0) };
     let j = Body { tag: 2, ..sphere(R, 2500.0) };
     let call = Call { dt: 1e-6, step: 1, update: true, ..Call::default() };
-    Contact::pair(Gap { call, i, j, delta: i.x, rsq: i.x.norm_squared(), meff: i.mass / 2.0 })
+    Contact::pair(ClosePair { call, i, j, delta: i.x, rsq: i.x.norm_squared(), meff: i.mass / 2.0 })
 }
 
-fn answer(laws: &[(Kind, &str)], chosen: &[(&str, &str)], v: Vector3<f64>, h: &mut [f64]) -> Stage {
-    let mut s = Stage::default();
-    chain(laws, GIVEN, chosen).touch((0, 0), &contact(v), h, &mut s);
+fn answer(laws: &[(Kind, &str)], chosen: &[(&str, &str)], v: Vector3<f64>, h: &mut [f64]) -> Response {
+    let mut s = Response::default();
+    chain(laws, GIVEN, chosen).surfaces_intersect((0, 0), &contact(v), h, &mut s);
     s
 }
 
 /// `answer` of a normal law alone with a normal velocity.
-fn normal(law: &str, chosen: &[(&str, &str)], vn: f64) -> Stage {
+fn normal(law: &str, chosen: &[(&str, &str)], vn: f64) -> Response {
     answer(&[(Kind::Normal, law)], chosen, Vector3::x() * vn, &mut [0.0])
 }
 

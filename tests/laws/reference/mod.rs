@@ -134,7 +134,7 @@ fn one_force_that_differs_in_the_last_bits_turns_red_and_is_named() {
     let worst = r.worst().unwrap().report().unwrap();
     assert_eq!(worst.what, "force.y of 1-2");
     let mut trace = Reader::open(&folder().join("oblique.csv")).unwrap();
-    assert_eq!(worst.step, trace.nth(50).unwrap().unwrap().gap.call.step);
+    assert_eq!(worst.step, trace.nth(50).unwrap().unwrap().close.call.step);
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn nan_in_a_trace_turns_red() {
 
 #[test]
 fn a_surface_that_the_bodies_do_not_make_turns_red() {
-    let r = changed("wall.csv", same_head, |_, row| row.gap.i.omega.x += 1e-9);
+    let r = changed("wall.csv", same_head, |_, row| row.close.i.omega.x += 1e-9);
     let q = |name: &str| r.quantities.iter().find(|q| q.name == name).unwrap();
     assert!(!q("surface velocity").identical() && !q("surface roll").identical());
     assert!(q("force").identical(), "the laws work on the recorded surface");

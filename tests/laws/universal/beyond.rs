@@ -4,7 +4,7 @@ use super::motion::{evaluate, follow, undisturbed, Answers, Path, STEPS};
 use super::recipe::{chain_of, for_all_of, Draw, Fault, Laws, Recipe, Switches};
 use super::rules::{close, close3, vectors, Outcome};
 use super::{names, CASES};
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::LAWS;
 use nalgebra::{Rotation3, Vector3};
 use std::cell::RefCell;
@@ -132,7 +132,7 @@ fn units(r: &Recipe, path: &Path, _: &mut Draw<'_>) -> Outcome {
         .into_iter()
         .map(|(t, h)| {
             let (i, j) = (back(&t.torque_i) / m, back(&t.torque_j) / m);
-            (Stage { force: back(&t.force), torque_i: i, torque_j: j, ..t }, h)
+            (Response { force: back(&t.force), torque_i: i, torque_j: j, ..t }, h)
         })
         .collect();
     // The normal law's fifth root rounds anew.

@@ -2,7 +2,7 @@
 //! law hands on, keeps a slot that a setting adds, and gives every atom a number.
 use granlaw::chain::Chain;
 use granlaw::lane::Lane;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::find;
 use nalgebra::Vector3;
 
@@ -25,12 +25,12 @@ impl Law for Sticky {
     fn params(k: &f64, _: &Size) -> [f64; 1] {
         [*k]
     }
-    fn touch<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         (s.fn_, s.kn, s.kc, s.fo) = (*k * x.deltan, *k, L::splat(0.5) * *k, *k * x.deltan);
         s.force += x.en * s.fn_;
     }
-    fn observe([k]: &[f64; 1], _: &Contact, _: &[f64; 0]) -> Terms {
-        Terms { branch: "spring", stiffness: *k, ..Terms::default() }
+    fn observe([k]: &[f64; 1], _: &Contact, _: &[f64; 0]) -> Observation {
+        Observation { branch: "spring", stiffness: *k, ..Observation::default() }
     }
 }
 
@@ -52,14 +52,14 @@ impl Law for Grip {
         Ok(())
     }
     fn params(_: &(), _: &Size) {}
-    fn touch<L: Lane>(_: &(), call: &Call, x: &Surface<L>, [n]: &mut [L; 1], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(_: &(), call: &Call, x: &Surface<L>, [n]: &mut [L; 1], s: &mut Response<L>) {
         if call.update {
             *n += L::splat(1.0);
         }
         s.force -= x.vtr * (s.fo / s.kc);
     }
-    fn observe(_: &(), _: &Contact, _: &[f64; 1]) -> Terms {
-        Terms::default()
+    fn observe(_: &(), _: &Contact, _: &[f64; 1]) -> Observation {
+        Observation::default()
     }
 }
 
@@ -83,14 +83,14 @@ impl GapLaw for Liquid {
         0.02
     }
     fn params(_: &(), _: &Size) {}
-    fn act(_: &(), _: &Gap, _: &mut [f64; 0], _: &mut Stage, e: &mut Effects) {
+    fn interact(_: &(), _: &ClosePair, _: &mut [f64; 0], _: &mut Response, e: &mut Effects) {
         (e.outputs[0][0], e.outputs[1][0]) = (-2.0, 2.0);
     }
     fn swings(_: &(), _: &Size, _: f64) -> Vec<Swing> {
         Vec::new()
     }
-    fn observe(_: &(), _: &Gap, _: &[f64; 0]) -> Terms {
-        Terms::default()
+    fn observe(_: &(), _: &ClosePair, _: &[f64; 0]) -> Observation {
+        Observation::default()
     }
 }
 
@@ -109,7 +109,7 @@ fn contact() -> Contact {
     let call = Call { dt: 1e-6, step: 1, update: true, ..Call::default() };
     let (en, vtr) = (Vector3::x(), Vector3::y() * 3.0);
     let surface = Surface { deltan: 1e-4, en, vtr, ..Surface::default() };
-    Contact { gap: Gap { call, ..Gap::default() }, surface }
+    Contact { close: ClosePair { call, ..ClosePair::default() }, surface }
 }
 
 #[test]
@@ -117,13 +117,13 @@ fn a_law_of_another_crate_runs_in_a_chain_and_reads_what_is_handed_on() {
     let setups = [setup(&STICKY, &[1e4], &[]), setup(&GRIP, &[], &[("count", "on")])];
     // Its slot lies anywhere in a row that others use too.
     let mut chain = Chain::new(&setups, &[vec![], vec![2]]).unwrap();
-    let (mut row, mut s) = ([7.0; 4], Stage::default());
+    let (mut row, mut s) = ([7.0; 4], Response::default());
     row[2] = 0.0;
-    let done = chain.touch((0, 0), &contact(), &mut row, &mut s);
+    let done = chain.surfaces_intersect((0, 0), &contact(), &mut row, &mut s);
     assert_eq!((s.force.x, s.force.y), (1.0, -3.0 * (1.0 / 5e3)));
     assert_eq!(row, [7.0, 7.0, 1.0, 7.0]);
     assert_eq!((done.set, done.clear), (0b101, 0));
-    chain.apart((0, 0), &contact().gap, &mut row, &mut Stage::default());
+    chain.surfaces_close((0, 0), &contact().close, &mut row, &mut Response::default());
     assert_eq!(row, [7.0, 7.0, 0.0, 7.0]);
 }
 
@@ -132,7 +132,7 @@ fn a_slot_that_the_settings_do_not_call_for_takes_no_room() {
     let setups = [setup(&STICKY, &[1e4], &[]), setup(&GRIP, &[], &[])];
     let mut chain = Chain::packed(&setups).unwrap();
     assert_eq!(chain.row(), 0);
-    chain.touch((0, 0), &contact(), &mut [], &mut Stage::default());
+    chain.surfaces_intersect((0, 0), &contact(), &mut [], &mut Response::default());
 }
 
 #[test]
@@ -149,13 +149,13 @@ fn what_no_law_hands_on_cannot_be_read() {
 #[test]
 fn what_a_law_gives_to_atoms_is_added_up() {
     let mut chain = Chain::packed(&[setup(&LIQUID, &[], &[])]).unwrap();
-    let done = chain.apart((0, 0), &contact().gap, &mut [], &mut Stage::default());
+    let done = chain.surfaces_close((0, 0), &contact().close, &mut [], &mut Response::default());
     assert_eq!(done.outputs, [[-2.0], [2.0]]);
-    let other = Chain::packed(&[setup(&STICKY, &[1e4], &[])]).unwrap().touch(
+    let other = Chain::packed(&[setup(&STICKY, &[1e4], &[])]).unwrap().surfaces_intersect(
         (0, 0),
         &contact(),
         &mut [],
-        &mut Stage::default(),
+        &mut Response::default(),
     );
     assert_eq!(other.outputs, [[0.0], [0.0]]);
 }

@@ -1,13 +1,13 @@
 //! Several contacts at once against one by one: every bit, at every width.
 use super::recipe::{chain_of, for_all, Case, Check, Draw, Recipe, Switches};
 use granlaw::lane::{Lane, Lanes, Pack};
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::{made, no_history::NoHistory, LAWS};
 use nalgebra::Vector3;
 
 type Outcome = Result<(), String>;
 
-/// Stage and history as they come out, in bits.
+/// Response and history as they come out, in bits.
 type Bits = Vec<u64>;
 
 /// The contacts of a batch: the case, and more drawn beside it so that lanes take different branches. Some sit on
@@ -16,7 +16,7 @@ fn batch(c: &Case, d: &mut Draw<'_>, width: usize) -> Vec<Case> {
     (0..width)
         .map(|_| {
             let mut c = c.clone();
-            let g = &mut c.contact.gap;
+            let g = &mut c.contact.close;
             (g.i.radius, g.meff) = (g.i.radius * d.within(0.5, 2.0), g.meff * d.within(0.5, 2.0));
             let s = &mut c.contact.surface;
             s.deltan *= d.within(0.01, 2.0);
@@ -36,13 +36,13 @@ fn batch(c: &Case, d: &mut Draw<'_>, width: usize) -> Vec<Case> {
 }
 
 /// What the normal law of a chain would hand on; lane by lane different.
-fn handed_on(c: &Case) -> Stage {
+fn handed_on(c: &Case) -> Response {
     let x = &c.contact.surface;
     let (kn, gamma) = (1e4, 0.3);
     let fn_ = kn * x.deltan - gamma * x.vn;
     let (torque_i, torque_j) = (x.vtr * (1e-3 * fn_), x.vtr * (5e-4 * fn_));
     let force = x.en * fn_;
-    Stage {
+    Response {
         fn_,
         kn,
         kt: 0.8 * kn,
@@ -51,13 +51,13 @@ fn handed_on(c: &Case) -> Stage {
         force,
         torque_i,
         torque_j,
-        ..Stage::default()
+        ..Response::default()
     }
 }
 
 fn params<W: Law>(r: &Recipe, c: &Case) -> W::Params {
     let coeffs = W::coeffs(&r.setups[0].pair(c.types.0, c.types.1)).expect("usual values");
-    W::params(&coeffs, &c.contact.gap.size())
+    W::params(&coeffs, &c.contact.close.size())
 }
 
 fn one_by_one<W: Law>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits> {
@@ -65,7 +65,7 @@ fn one_by_one<W: Law>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits> {
         let mut h = W::History::zero::<f64>();
         W::History::lanes_mut::<f64>(&mut h).copy_from_slice(&c.history);
         let mut s = handed_on(c);
-        W::touch::<f64>(&params::<W>(r, c), call, &c.contact.surface, &mut h, &mut s);
+        W::surfaces_intersect::<f64>(&params::<W>(r, c), call, &c.contact.surface, &mut h, &mut s);
         bits(&s, W::History::lanes::<f64>(&h), 0)
     };
     cases.iter().map(one).collect()
@@ -85,7 +85,7 @@ fn at_once<W: Law, L: Lane>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits
         cri: number(&|c| c.contact.surface.cri),
         crj: number(&|c| c.contact.surface.crj),
     };
-    let mut s = Stage {
+    let mut s = Response {
         fn_: number(&|c| handed_on(c).fn_),
         kn: number(&|c| handed_on(c).kn),
         kt: number(&|c| handed_on(c).kt),
@@ -94,18 +94,18 @@ fn at_once<W: Law, L: Lane>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits
         force: vector(&|c| handed_on(c).force),
         torque_i: vector(&|c| handed_on(c).torque_i),
         torque_j: vector(&|c| handed_on(c).torque_j),
-        ..Stage::default()
+        ..Response::default()
     };
     let params: Vec<_> = cases.iter().map(|c| params::<W>(r, c)).collect();
     let mut h = W::History::zero::<L>();
     for (k, slot) in W::History::lanes_mut::<L>(&mut h).iter_mut().enumerate() {
         *slot = number(&|c| c.history[k]);
     }
-    W::touch::<L>(&W::Params::side_by_side::<L>(|k| params[k]), call, &x, &mut h, &mut s);
+    W::surfaces_intersect::<L>(&W::Params::side_by_side::<L>(|k| params[k]), call, &x, &mut h, &mut s);
     (0..L::WIDTH).map(|k| bits(&s, W::History::lanes(&h), k)).collect()
 }
 
-fn bits<L: Lane>(s: &Stage<L>, h: &[L], k: usize) -> Bits {
+fn bits<L: Lane>(s: &Response<L>, h: &[L], k: usize) -> Bits {
     let scalars = [s.fn_, s.kn, s.kt, s.gamman, s.gammat, s.kc, s.fo];
     let vectors = [s.force, s.torque_i, s.torque_j];
     let all = scalars.iter().chain(vectors.iter().flatten()).chain(h);
@@ -115,7 +115,7 @@ fn bits<L: Lane>(s: &Stage<L>, h: &[L], k: usize) -> Bits {
 fn same<W: Law, L: Lane>(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
     let cases = batch(c, d, L::WIDTH);
     // A batch belongs to one pair of types with the same switches; the call is the same for all.
-    let call = c.contact.gap.call;
+    let call = c.contact.close.call;
     let (alone, together) = (one_by_one::<W>(r, &call, &cases), at_once::<W, L>(r, &call, &cases));
     match (0..L::WIDTH).find(|k| alone[*k] != together[*k]) {
         None => Ok(()),
@@ -174,15 +174,15 @@ impl Law for AllSlip {
         Ok(())
     }
     fn params(_: &(), _: &Size) {}
-    fn touch<L: Lane>(_: &(), _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+    fn surfaces_intersect<L: Lane>(_: &(), _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let speed = granlaw::lane::norm(&x.vtr);
         let coulomb = L::splat(0.1) * s.fn_.abs();
         let viscous = s.gammat * speed;
         let size = if L::any(viscous.gt(coulomb)) { coulomb } else { viscous };
         s.force -= x.en * size;
     }
-    fn observe(_: &(), _: &Contact, _: &[f64; 0]) -> Terms {
-        Terms::default()
+    fn observe(_: &(), _: &Contact, _: &[f64; 0]) -> Observation {
+        Observation::default()
     }
 }
 

@@ -10,7 +10,7 @@ mod refusals;
 mod rules;
 mod switches;
 
-use granlaw::law::{Kind, Reach, Rule};
+use granlaw::model::{Kind, Reach, Rule};
 use granlaw::laws::LAWS;
 use recipe::{chain_of, chains, for_all, Check, Laws, Switches};
 

@@ -1,6 +1,6 @@
 //! Motions of two bodies near each other, and laws that follow them.
 use super::recipe::{body, reseen, Draw, Recipe, Subject};
-use granlaw::law::*;
+use granlaw::model::*;
 use nalgebra::Vector3;
 
 /// Evaluations of a motion.
@@ -10,11 +10,11 @@ pub const STEPS: i64 = 24;
 #[derive(Clone)]
 pub struct Path {
     pub types: (usize, usize),
-    pub gaps: Vec<Gap>,
+    pub gaps: Vec<ClosePair>,
 }
 
 /// What a law answered on the way, with the history after it.
-pub type Answers = Vec<(Stage, Vec<f64>)>;
+pub type Answers = Vec<(Response, Vec<f64>)>;
 
 impl Path {
     pub fn draw(d: &mut Draw<'_>) -> Path {
@@ -36,13 +36,13 @@ impl Path {
             if is_wall {
                 (j.tag, j.radius, j.mass, j.omega) = (-1, 0.0, 0.0, Vector3::zeros());
             }
-            seen(Gap { call, i, j, ..Gap::default() })
+            seen(ClosePair { call, i, j, ..ClosePair::default() })
         });
         Path { types, gaps: gaps.collect() }
     }
 
     /// The same motion, each evaluation seen otherwise.
-    pub fn other(&self, change: impl Fn(&mut Gap)) -> Path {
+    pub fn other(&self, change: impl Fn(&mut ClosePair)) -> Path {
         let gaps = self.gaps.iter().map(|g| {
             let mut g = *g;
             change(&mut g);
@@ -56,7 +56,7 @@ impl Path {
     }
 }
 
-fn seen(mut gap: Gap) -> Gap {
+fn seen(mut gap: ClosePair) -> ClosePair {
     gap.delta = gap.i.x - gap.j.x;
     gap.rsq = granlaw::lane::dot(&gap.delta, &gap.delta);
     gap.meff = gap.i.mass;
@@ -70,7 +70,7 @@ fn seen(mut gap: Gap) -> Gap {
 pub fn follow(r: &Recipe, path: &Path, mut between: impl FnMut(usize, &mut Subject, &mut [f64])) -> Answers {
     let mut subject = r.subject();
     let mut h = vec![0.0; r.slots()];
-    let mut one = |(k, gap): (usize, &Gap)| {
+    let mut one = |(k, gap): (usize, &ClosePair)| {
         between(k, &mut subject, &mut h);
         let s = evaluate(&mut subject, path.types, gap, &mut h);
         (s, h.clone())
@@ -78,13 +78,13 @@ pub fn follow(r: &Recipe, path: &Path, mut between: impl FnMut(usize, &mut Subje
     path.gaps.iter().enumerate().map(&mut one).collect()
 }
 
-pub fn evaluate(subject: &mut Subject, types: (usize, usize), gap: &Gap, h: &mut [f64]) -> Stage {
+pub fn evaluate(subject: &mut Subject, types: (usize, usize), gap: &ClosePair, h: &mut [f64]) -> Response {
     let overlap = gap.i.radius + gap.j.radius - gap.rsq.sqrt();
     if overlap <= 0.0 {
-        return subject.apart(types, gap, h);
+        return subject.surfaces_close(types, gap, h);
     }
     let surface = Surface { deltan: overlap, ..Surface::default() };
-    subject.touch(types, &reseen(&Contact { gap: *gap, surface }), h)
+    subject.surfaces_intersect(types, &reseen(&Contact { close: *gap, surface }), h)
 }
 
 pub fn undisturbed(r: &Recipe, path: &Path) -> Answers {

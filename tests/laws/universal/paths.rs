@@ -1,7 +1,7 @@
 //! Rules that follow a contact along a path: no jumps, no energy from nothing, and `observe` tells the truth.
 use super::recipe::{reseen, Case, Draw, Recipe, Subject};
 use super::rules::force_scale;
-use granlaw::law::*;
+use granlaw::model::*;
 use nalgebra::Vector3;
 
 type Outcome = Result<(), String>;
@@ -11,7 +11,7 @@ fn between(a: &Case, b: &Case, t: f64) -> Case {
     let mix = |a: f64, b: f64| a + (b - a) * t;
     let mix3 = |a: &Vector3<f64>, b: &Vector3<f64>| a + (b - a) * t;
     let mut c = a.clone();
-    for (body, to) in [(&mut c.contact.gap.i, b.contact.gap.i), (&mut c.contact.gap.j, b.contact.gap.j)] {
+    for (body, to) in [(&mut c.contact.close.i, b.contact.close.i), (&mut c.contact.close.j, b.contact.close.j)] {
         (body.x, body.v) = (mix3(&body.x, &to.x), mix3(&body.v, &to.v));
         body.omega = mix3(&body.omega, &to.omega);
     }
@@ -25,7 +25,7 @@ fn between(a: &Case, b: &Case, t: f64) -> Case {
 /// moves otherwise, and remembers otherwise. One time in four all motion reverses, through rest exactly.
 fn another(a: &Case, d: &mut Draw<'_>) -> Case {
     let mut b = a.clone();
-    let gap = &mut b.contact.gap;
+    let gap = &mut b.contact.close;
     let way = gap.delta * (1.0 / gap.delta.norm());
     let deltan = a.contact.surface.deltan * d.within(0.02, 2.0);
     gap.i.x += way * (a.contact.surface.deltan - deltan);
@@ -38,7 +38,7 @@ fn another(a: &Case, d: &mut Draw<'_>) -> Case {
         (gap.j.v, gap.j.omega) = (Vector3::zeros(), Vector3::zeros());
     }
     b.contact.surface.deltan = deltan;
-    b.history.iter_mut().for_each(|h| *h = a.contact.gap.i.radius * d.within(-0.02, 0.06));
+    b.history.iter_mut().for_each(|h| *h = a.contact.close.i.radius * d.within(-0.02, 0.06));
     b.contact = reseen(&b.contact);
     b
 }
@@ -49,10 +49,10 @@ pub fn continuous(r: &Recipe, a: &Case, d: &mut Draw<'_>) -> Outcome {
     let b = another(a, d);
     let mut subject = r.subject();
     let mut scale = 0.0f64;
-    let arm = a.contact.gap.i.radius;
+    let arm = a.contact.close.i.radius;
     let mut at = |t: f64| {
         let c = between(a, &b, t);
-        let s = subject.touch(c.types, &c.contact, &mut c.history.clone());
+        let s = subject.surfaces_intersect(c.types, &c.contact, &mut c.history.clone());
         scale = scale.max(force_scale(&s, &c.contact, &c.history));
         [s.force, s.torque_i / arm, s.torque_j / arm]
     };
@@ -94,8 +94,8 @@ type Corners = Vec<(f64, f64, f64)>;
 /// What the contact gives over a cycle, and what goes back and forth in it \[J\]. Positions are prescribed, j rests.
 fn work(subject: &mut Subject, c: &Case, corners: &Corners) -> (f64, f64) {
     let (steps, dt) = (1500, 1e-6);
-    let (i, j) = (c.contact.gap.i, c.contact.gap.j);
-    let call = Call { dt, update: true, ..c.contact.gap.call };
+    let (i, j) = (c.contact.close.i, c.contact.close.j);
+    let call = Call { dt, update: true, ..c.contact.close.call };
     let reach = i.radius + if call.is_wall { 0.0 } else { j.radius };
     let place = |(overlap, shift, _): (f64, f64, f64)| match call.is_wall {
         true => Vector3::new(reach - overlap, shift, 0.0),
@@ -105,7 +105,7 @@ fn work(subject: &mut Subject, c: &Case, corners: &Corners) -> (f64, f64) {
         }
     };
     let mut h = vec![0.0; c.history.len()];
-    let (mut x, mut last) = (place(corners[0]), Stage::default());
+    let (mut x, mut last) = (place(corners[0]), Response::default());
     let (mut given, mut moved) = (0.0, 0.0);
     for leg in corners.windows(2) {
         for k in 1..=steps {
@@ -117,11 +117,11 @@ fn work(subject: &mut Subject, c: &Case, corners: &Corners) -> (f64, f64) {
             let i = Body { x: to, v: way / dt, omega: angle / dt, ..i };
             let foot = if call.is_wall { Vector3::new(0.0, to.y, 0.0) } else { Vector3::zeros() };
             let j = Body { x: foot, v: Vector3::zeros(), omega: Vector3::zeros(), ..j };
-            let mut s = Stage::default();
+            let mut s = Response::default();
             if now.0 > 0.0 {
-                let gap = Gap { call, i, j, meff: c.contact.gap.meff, ..Gap::default() };
+                let gap = ClosePair { call, i, j, meff: c.contact.close.meff, ..ClosePair::default() };
                 let surface = Surface { deltan: now.0, ..Surface::default() };
-                s = subject.touch(c.types, &reseen(&Contact { gap, surface }), &mut h);
+                s = subject.surfaces_intersect(c.types, &reseen(&Contact { close: gap, surface }), &mut h);
             }
             // The trapezoid is exact for springs and second order in the step for the rest.
             let w = 0.5 * (last.force + s.force).dot(&way) + 0.5 * (last.torque_i + s.torque_i).dot(&angle);
@@ -134,7 +134,7 @@ fn work(subject: &mut Subject, c: &Case, corners: &Corners) -> (f64, f64) {
 
 /// A closed cycle gives no more energy than it took.
 pub fn cycle(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
-    let size = 0.02 * c.contact.gap.i.radius;
+    let size = 0.02 * c.contact.close.i.radius;
     let mut some = |scale: f64| scale * size * d.within(-1.0, 1.0);
     let (s1, s2, s3) = (some(1.0), some(1.0), some(3.0));
     let (t1, t2) = (some(30.0), some(30.0));
@@ -173,7 +173,7 @@ pub fn observed(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let now = subject.observe(c.types, &c.at(deltan, 0.0), &c.history);
     let fast = subject.observe(c.types, &c.at(deltan, vn), &c.history);
     let force = |subject: &mut Subject, deltan: f64, vn: f64| {
-        subject.touch(c.types, &c.at(deltan, vn), &mut c.history.clone())
+        subject.surfaces_intersect(c.types, &c.at(deltan, vn), &mut c.history.clone())
     };
     let step = 1e-5 * deltan;
     let near =
@@ -193,7 +193,7 @@ pub fn observed(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 /// What a normal law gives back from here until its force vanishes, slowly \[J\].
 fn returned(subject: &mut Subject, c: &Case) -> f64 {
     let (n, mut h) = (20_000, c.history.clone());
-    let mut at = |overlap: f64| subject.touch(c.types, &c.at(overlap, 0.0), &mut h).fn_;
+    let mut at = |overlap: f64| subject.surfaces_intersect(c.types, &c.at(overlap, 0.0), &mut h).fn_;
     let deltan = c.contact.surface.deltan;
     let (mut sum, mut last) = (0.0, at(deltan));
     for k in (0..n).rev() {

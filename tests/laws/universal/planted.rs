@@ -32,7 +32,7 @@ fn a_preferred_direction() {
 
 #[test]
 fn a_force_that_knows_the_absolute_velocity() {
-    let fault = Fault::Touch(|x, _, _, s| s.force += x.gap.i.v * (1e-6 * s.kn * x.gap.i.radius));
+    let fault = Fault::Touch(|x, _, _, s| s.force += x.close.i.v * (1e-6 * s.kn * x.close.i.radius));
     seen(&["hertz"], fault, rules::galilean, "force");
 }
 
@@ -77,7 +77,7 @@ fn a_dashpot_that_drives() {
 #[test]
 fn friction_that_gives_back_more_than_it_stored() {
     let fault =
-        Fault::Touch(|x, _, _, s| s.force += x.surface.vtr * (0.5 * s.gammat + 1e-5 * s.kn * x.gap.call.dt));
+        Fault::Touch(|x, _, _, s| s.force += x.surface.vtr * (0.5 * s.gammat + 1e-5 * s.kn * x.close.call.dt));
     seen(&["hooke"], fault, paths::cycle, "gives");
 }
 
@@ -103,7 +103,7 @@ fn a_number_that_is_none_swept_under_the_rug() {
 
 #[test]
 fn a_wall_of_another_stiffness() {
-    let fault = Fault::Touch(|x, _, _, s| s.force *= if x.gap.call.is_wall { 1.0 + 1e-6 } else { 1.0 });
+    let fault = Fault::Touch(|x, _, _, s| s.force *= if x.close.call.is_wall { 1.0 + 1e-6 } else { 1.0 });
     seen(&["hertz"], fault, rules::wall_limit, "force");
 }
 

@@ -1,6 +1,6 @@
 //! Chains and contacts drawn at random from what the laws say of themselves.
 use granlaw::chain::Chain;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::LAWS;
 use nalgebra::Vector3;
 use proptest::collection::vec;
@@ -59,10 +59,10 @@ pub enum Switches {
 /// Something wrong, planted behind the chain: sees the contact and the history before, may bend what came out.
 #[derive(Clone, Copy)]
 pub enum Fault {
-    Touch(fn(&Contact, &[f64], &mut [f64], &mut Stage)),
+    Touch(fn(&Contact, &[f64], &mut [f64], &mut Response)),
     Apart(fn(&mut [f64])),
-    Beyond(fn(&Gap, &mut [f64], &mut Stage)),
-    Observe(fn(&mut Terms)),
+    Beyond(fn(&ClosePair, &mut [f64], &mut Response)),
+    Observe(fn(&mut Observation)),
 }
 
 /// Laws with their numbers, from which chains are made.
@@ -140,18 +140,18 @@ pub struct Subject {
 }
 
 impl Subject {
-    pub fn touch(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64]) -> Stage {
-        let (before, mut s) = (h.to_vec(), Stage::default());
-        self.chain.touch(types, x, h, &mut s);
+    pub fn surfaces_intersect(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64]) -> Response {
+        let (before, mut s) = (h.to_vec(), Response::default());
+        self.chain.surfaces_intersect(types, x, h, &mut s);
         if let Some(Fault::Touch(bend)) = self.fault {
             bend(x, &before, h, &mut s);
         }
         s
     }
 
-    pub fn apart(&mut self, types: (usize, usize), x: &Gap, h: &mut [f64]) -> Stage {
-        let mut s = Stage::default();
-        self.chain.apart(types, x, h, &mut s);
+    pub fn surfaces_close(&mut self, types: (usize, usize), x: &ClosePair, h: &mut [f64]) -> Response {
+        let mut s = Response::default();
+        self.chain.surfaces_close(types, x, h, &mut s);
         match self.fault {
             Some(Fault::Apart(bend)) => bend(h),
             Some(Fault::Beyond(bend)) => bend(x, h, &mut s),
@@ -161,7 +161,7 @@ impl Subject {
     }
 
     /// What the normal law tells.
-    pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Terms {
+    pub fn observe(&mut self, types: (usize, usize), x: &Contact, h: &[f64]) -> Observation {
         let mut terms = self.chain.observe(types, x, h)[0];
         if let Some(Fault::Observe(bend)) = self.fault {
             bend(&mut terms);
@@ -213,12 +213,12 @@ pub fn placed(call: Call, i: Body, j: Body, en: Vector3<f64>, overlap: f64) -> C
         Body { x: i.x - en * (i.radius + j.radius - overlap), ..j }
     };
     let surface = Surface { deltan: overlap, ..Surface::default() };
-    reseen(&Contact { gap: Gap { call, i, j, meff: i.mass, ..Gap::default() }, surface })
+    reseen(&Contact { close: ClosePair { call, i, j, meff: i.mass, ..ClosePair::default() }, surface })
 }
 
 /// The contact as the surface model sees it after its bodies were moved.
 pub fn reseen(x: &Contact) -> Contact {
-    let mut gap = x.gap;
+    let mut gap = x.close;
     gap.delta = gap.i.x - gap.j.x;
     gap.rsq = granlaw::lane::dot(&gap.delta, &gap.delta);
     if gap.call.is_wall {

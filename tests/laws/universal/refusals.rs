@@ -1,6 +1,6 @@
 //! Set-ups that make no sense, made from what each law says of itself; the message must help.
 use granlaw::chain::Chain;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::LAWS;
 
 /// A refusal whose message holds all of these words.

@@ -1,6 +1,6 @@
 //! The rules that every law obeys, one function each. A rule is broken by an `Err` that says where.
 use super::recipe::{for_all, reseen, Case, Draw, Fault, Laws, Recipe, Switches};
-use granlaw::law::*;
+use granlaw::model::*;
 use nalgebra::{Rotation3, Vector3};
 use std::cell::RefCell;
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -20,9 +20,9 @@ pub fn close3(what: &str, a: &Vector3<f64>, b: &Vector3<f64>, tolerance: f64, sc
 }
 
 /// The largest force that any term of the answer can have: cancelling terms round off relative to it.
-pub fn force_scale(s: &Stage, x: &Contact, h: &[f64]) -> f64 {
+pub fn force_scale(s: &Response, x: &Contact, h: &[f64]) -> f64 {
     let speed = x.surface.vn.abs() + x.surface.vtr.norm();
-    let shear = h.iter().fold(0.0, |m: f64, h| m.max(h.abs())) + speed * x.gap.call.dt;
+    let shear = h.iter().fold(0.0, |m: f64, h| m.max(h.abs())) + speed * x.close.call.dt;
     s.fn_.abs() + s.kn * x.surface.deltan + (s.gamman + s.gammat) * speed + s.kt * shear
 }
 
@@ -39,7 +39,7 @@ pub fn vectors(slots: &[Slot]) -> Vec<usize> {
 /// i and j change places: the force turns round, torques change hands, history follows its flags. To the last bit,
 /// as every operation is odd or symmetric.
 pub fn swap(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
-    if c.contact.gap.call.is_wall {
+    if c.contact.close.call.is_wall {
         return Ok(());
     }
     let mut subject = r.subject();
@@ -48,9 +48,9 @@ pub fn swap(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     };
     let (mut h, mut mirrored) = (c.history.clone(), turn(&subject.slots, &c.history));
     let mut y = c.contact;
-    std::mem::swap(&mut y.gap.i, &mut y.gap.j);
-    let a = subject.touch(c.types, &c.contact, &mut h);
-    let b = subject.touch((c.types.1, c.types.0), &reseen(&y), &mut mirrored);
+    std::mem::swap(&mut y.close.i, &mut y.close.j);
+    let a = subject.surfaces_intersect(c.types, &c.contact, &mut h);
+    let b = subject.surfaces_intersect((c.types.1, c.types.0), &reseen(&y), &mut mirrored);
     close3("force", &a.force, &-b.force, 0.0, 1.0)?;
     close3("torque on i", &a.torque_i, &b.torque_j, 0.0, 1.0)?;
     close3("torque on j", &a.torque_j, &b.torque_i, 0.0, 1.0)?;
@@ -75,11 +75,11 @@ pub fn rotation(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
     };
     let (mut h, mut turned) = (c.history.clone(), turn(&subject.slots, &c.history));
     let mut y = c.contact;
-    for b in [&mut y.gap.i, &mut y.gap.j] {
+    for b in [&mut y.close.i, &mut y.close.j] {
         (b.x, b.v, b.omega) = (q * b.x, q * b.v, q * b.omega);
     }
-    let a = subject.touch(c.types, &c.contact, &mut h);
-    let b = subject.touch(c.types, &reseen(&y), &mut turned);
+    let a = subject.surfaces_intersect(c.types, &c.contact, &mut h);
+    let b = subject.surfaces_intersect(c.types, &reseen(&y), &mut turned);
     same_motion(c, &subject.slots, (&a, &turn(&subject.slots, &h)), (&b, &turned), &|v| q * v)
 }
 
@@ -89,12 +89,12 @@ pub fn galilean(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
     let (shift, velocity) = (d.vector(0.05), d.vector(2.0));
     let (mut h, mut moved) = (c.history.clone(), c.history.clone());
     let mut y = c.contact;
-    for b in [&mut y.gap.i, &mut y.gap.j] {
+    for b in [&mut y.close.i, &mut y.close.j] {
         b.x += shift;
         b.v += velocity;
     }
-    let a = subject.touch(c.types, &c.contact, &mut h);
-    let b = subject.touch(c.types, &reseen(&y), &mut moved);
+    let a = subject.surfaces_intersect(c.types, &c.contact, &mut h);
+    let b = subject.surfaces_intersect(c.types, &reseen(&y), &mut moved);
     same_motion(c, &subject.slots, (&a, &h), (&b, &moved), &|v| v)
 }
 
@@ -102,14 +102,14 @@ pub fn galilean(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
 fn same_motion(
     c: &Case,
     slots: &[Slot],
-    (a, ha): (&Stage, &[f64]),
-    (b, hb): (&Stage, &[f64]),
+    (a, ha): (&Response, &[f64]),
+    (b, hb): (&Response, &[f64]),
     turn: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
 ) -> Outcome {
     // Positions of 0.1 m round off by 1e-17 m, the least overlap is 1e-6 m: 1e-11; ten times that for what follows.
     let tolerance = 1e-10;
     let scale = force_scale(a, &c.contact, &c.history);
-    let arm = c.contact.gap.i.radius;
+    let arm = c.contact.close.i.radius;
     close3("force", &turn(a.force), &b.force, tolerance, scale)?;
     close3("torque on i", &turn(a.torque_i), &b.torque_i, tolerance, scale * arm)?;
     close3("torque on j", &turn(a.torque_j), &b.torque_j, tolerance, scale * arm)?;
@@ -133,22 +133,22 @@ pub fn units(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
         }
     }
     let mut y = c.contact;
-    y.gap.call.dt *= s;
-    for b in [&mut y.gap.i, &mut y.gap.j] {
+    y.close.call.dt *= s;
+    for b in [&mut y.close.i, &mut y.close.j] {
         (b.radius, b.mass, b.x) = (b.radius * m, b.mass * kg, b.x * m);
         (b.v, b.omega) = (b.v * (m / s), b.omega / s);
     }
     y.surface.deltan *= m;
-    y.gap.meff *= kg;
+    y.close.meff *= kg;
     let (mut subject, mut scaled) = (r.subject(), other.subject());
     let mut h = c.history.clone();
     let mut k: Vec<_> = h.iter().zip(&subject.slots).map(|(h, s)| h * of(&s.unit)).collect();
-    let a = subject.touch(c.types, &c.contact, &mut h);
-    let b = scaled.touch(c.types, &reseen(&y), &mut k);
+    let a = subject.surfaces_intersect(c.types, &c.contact, &mut h);
+    let b = scaled.surfaces_intersect(c.types, &reseen(&y), &mut k);
     let force = scale(1, 1, -2);
     let size = force_scale(&a, &c.contact, &c.history);
     close3("force", &(a.force * force), &b.force, tolerance, size * force)?;
-    let arm = c.contact.gap.i.radius + c.contact.gap.j.radius;
+    let arm = c.contact.close.i.radius + c.contact.close.j.radius;
     close3("torque", &(a.torque_i * force * m), &b.torque_i, tolerance, size * arm * force * m)?;
     close("kn", a.kn * scale(0, 1, -2), b.kn, tolerance, b.kn)?;
     close("kt", a.kt * scale(0, 1, -2), b.kt, tolerance, b.kt)?;
@@ -161,12 +161,12 @@ pub fn units(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 
 /// The pair's angular momentum stays: lever arm × force and both torques cancel.
 pub fn angular_momentum(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
-    if c.contact.gap.call.is_wall {
+    if c.contact.close.call.is_wall {
         return Ok(());
     }
-    let s = r.subject().touch(c.types, &c.contact, &mut c.history.clone());
-    let total = c.contact.gap.delta.cross(&s.force) + s.torque_i + s.torque_j;
-    let scale = force_scale(&s, &c.contact, &c.history) * c.contact.gap.delta.norm();
+    let s = r.subject().surfaces_intersect(c.types, &c.contact, &mut c.history.clone());
+    let total = c.contact.close.delta.cross(&s.force) + s.torque_i + s.torque_j;
+    let scale = force_scale(&s, &c.contact, &c.history) * c.contact.close.delta.norm();
     // Round-off of a handful of operations.
     close3("total torque", &total, &Vector3::zeros(), 1e-14, scale)
 }
@@ -174,8 +174,8 @@ pub fn angular_momentum(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 /// A query writes no history.
 pub fn query(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let (mut x, mut h) = (c.contact, c.history.clone());
-    x.gap.call.update = false;
-    r.subject().touch(c.types, &x, &mut h);
+    x.close.call.update = false;
+    r.subject().surfaces_intersect(c.types, &x, &mut h);
     if h != c.history {
         return Err(format!("a query made {h:?} of {:?}", c.history));
     }
@@ -185,9 +185,9 @@ pub fn query(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 /// Separation clears the history, and gives no force within reach of overlap only.
 pub fn clears(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let mut h = c.history.clone();
-    let mut gap = c.contact.gap;
+    let mut gap = c.contact.close;
     gap.call.update = true;
-    let s = r.subject().apart(c.types, &gap, &mut h);
+    let s = r.subject().surfaces_close(c.types, &gap, &mut h);
     if let Some(k) = h.iter().position(|h| *h != 0.0) {
         return Err(format!("slot {k} keeps {} after separation", h[k]));
     }
@@ -201,7 +201,7 @@ pub fn clears(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 pub fn odd_damping(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
     let mut subject = r.subject();
     let (deltan, vn) = (c.contact.surface.deltan, c.contact.surface.vn);
-    let mut at = |v| subject.touch(c.types, &c.at(deltan, v), &mut c.history.clone());
+    let mut at = |v| subject.surfaces_intersect(c.types, &c.at(deltan, v), &mut c.history.clone());
     let (there, back) = (at(vn), at(-vn));
     close("γn", there.gamman, back.gamman, 1e-14, there.gamman.max(back.gamman))?;
     if r.setups.iter().any(|s| s.settings.chosen().any(|(n, o)| n == "limitForce" && o == "on")) {
@@ -215,7 +215,7 @@ pub fn odd_damping(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
 pub fn survives(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
     let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, f64::MAX];
     let bad = bad[(d.unit() * bad.len() as f64) as usize];
-    let (mut gap, mut h, mut overlap) = (c.contact.gap, c.history.clone(), c.contact.surface.deltan);
+    let (mut gap, mut h, mut overlap) = (c.contact.close, c.history.clone(), c.contact.surface.deltan);
     let fields: [&mut f64; 12] = [
         &mut gap.i.x.x,
         &mut gap.i.v.y,
@@ -236,11 +236,11 @@ pub fn survives(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
         Some(field) => *field = bad,
         None => h[k - n] = bad,
     }
-    let x = Contact { gap, surface: Surface { deltan: overlap, ..c.contact.surface } };
+    let x = Contact { close: gap, surface: Surface { deltan: overlap, ..c.contact.surface } };
     let answer = || {
         let mut subject = r.subject();
-        let s = subject.touch(c.types, &reseen(&x), &mut h);
-        subject.apart(c.types, &gap, &mut h);
+        let s = subject.surfaces_intersect(c.types, &reseen(&x), &mut h);
+        subject.surfaces_close(c.types, &gap, &mut h);
         s
     };
     let s = catch_unwind(AssertUnwindSafe(answer)).map_err(|_| format!("panics on {bad} in place {k}"))?;
@@ -253,22 +253,22 @@ pub fn survives(r: &Recipe, c: &Case, d: &mut Draw<'_>) -> Outcome {
 
 /// A wall is a partner without end: what the surface model saw of it, told as a sphere 1e9 times as large and heavy.
 pub fn wall_limit(r: &Recipe, c: &Case, _: &mut Draw<'_>) -> Outcome {
-    if !c.contact.gap.call.is_wall {
+    if !c.contact.close.call.is_wall {
         return Ok(());
     }
     let mut subject = r.subject();
-    let i = c.contact.gap.i;
+    let i = c.contact.close.i;
     let large = 1e9;
     let mut y = c.contact;
-    y.gap.call.is_wall = false;
+    y.close.call.is_wall = false;
     // Of a wall LIGGGHTS shows a rolling law a longer spin than of a sphere.
     y.surface.roll = i.omega;
-    y.gap.j = Body { tag: 2, radius: i.radius * large, mass: i.mass * large, ..y.gap.j };
-    y.gap.meff = i.mass * (large / (1.0 + large));
-    y.surface.crj = y.gap.j.radius - 0.5 * y.surface.deltan;
+    y.close.j = Body { tag: 2, radius: i.radius * large, mass: i.mass * large, ..y.close.j };
+    y.close.meff = i.mass * (large / (1.0 + large));
+    y.surface.crj = y.close.j.radius - 0.5 * y.surface.deltan;
     let (mut h, mut k) = (c.history.clone(), c.history.clone());
-    let a = subject.touch(c.types, &c.contact, &mut h);
-    let b = subject.touch(c.types, &y, &mut k);
+    let a = subject.surfaces_intersect(c.types, &c.contact, &mut h);
+    let b = subject.surfaces_intersect(c.types, &y, &mut k);
     // R* and m* differ from the wall's by 1e-9, and no law has a power above 1 of either.
     let (tolerance, scale) = (1e-8, force_scale(&a, &c.contact, &c.history));
     close3("force", &a.force, &b.force, tolerance, scale)?;
@@ -284,8 +284,8 @@ pub fn written(laws: &Laws, fault: Option<Fault>) -> Outcome {
     let seen = RefCell::new(vec![false; laws.iter().map(|e| e.meta.slots.len()).sum()]);
     for_all(laws, Switches::Any, 20, fault, |r, c, _| {
         let (mut x, mut h) = (c.contact, vec![0.0; c.history.len()]);
-        x.gap.call.update = true;
-        r.subject().touch(c.types, &x, &mut h);
+        x.close.call.update = true;
+        r.subject().surfaces_intersect(c.types, &x, &mut h);
         seen.borrow_mut().iter_mut().zip(&h).for_each(|(seen, h)| *seen |= *h != 0.0);
         Ok(())
     })?;

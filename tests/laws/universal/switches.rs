@@ -1,7 +1,7 @@
 //! hooke/hysteresis at each of its branch switches, from both sides, against the force that the equations give there.
 use super::recipe::{placed, Fault, Recipe, Subject};
 use super::refusals::sound;
-use granlaw::law::*;
+use granlaw::model::*;
 use granlaw::laws::find;
 use nalgebra::Vector3;
 
@@ -32,7 +32,7 @@ impl Bench {
         let call = Call { dt: 1e-6, step: 1, update: false, ..Call::default() };
         let x = placed(call, body(1), body(2), Vector3::x(), 1e-5);
         let mut subject = Recipe { setups: vec![setup], fault }.subject();
-        let kn = subject.touch((0, 0), &x, &mut [0.0]).kn;
+        let kn = subject.surfaces_intersect((0, 0), &x, &mut [0.0]).kn;
         // (2) with R* = 2.5 mm.
         Bench { subject, x, kn, delta_lim: K2MAX / (K2MAX - 1.0) * 0.05 * 5e-3 }
     }
@@ -46,7 +46,7 @@ impl Bench {
     fn force(&mut self, (deltan, delta_max): (f64, f64)) -> (f64, &'static str) {
         let x = self.at(deltan);
         let branch = self.subject.observe((0, 0), &x, &[delta_max]).branch;
-        (self.subject.touch((0, 0), &x, &mut [delta_max]).fn_, branch)
+        (self.subject.surfaces_intersect((0, 0), &x, &mut [delta_max]).fn_, branch)
     }
 
     /// k2 over kn at a largest overlap (4).
@@ -110,8 +110,8 @@ fn reloading_from_adhesion(b: &mut Bench) -> Result<(), String> {
     for (part, memory) in [(0.3, 0.8), (0.1, 0.5), (0.4, 1.0), (0.3, 1.5)] {
         let d = part * b.delta_lim;
         let (mut x, mut h) = (b.at(d), [memory * b.delta_lim]);
-        x.gap.call.update = true;
-        b.subject.touch((0, 0), &x, &mut h);
+        x.close.call.update = true;
+        b.subject.surfaces_intersect((0, 0), &x, &mut h);
         if h[0] >= memory * b.delta_lim {
             return Err(format!("δmax stays at {:e}", h[0]));
         }

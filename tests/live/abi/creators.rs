@@ -1,6 +1,6 @@
 //! The plugin's table of LIGGGHTS's own property creators, made from what the laws say of their properties.
 use crate::built::source;
-use granlaw::law::Shape;
+use granlaw::model::Shape;
 use granlaw::laws::prop::CREATORS;
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Help that teaches, and `granlaw laws`.
 use crate::common::Scratch;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use granlaw::laws::LAWS;
 use serde_json::Value;
 

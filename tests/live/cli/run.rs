@@ -68,7 +68,7 @@ fn calls_are_recorded_all_or_every_nth_step() {
         rows(&s.path(name))
     };
     let (all, some) = (record("all.csv", &[]), record("some.csv", &["--every", "7"]));
-    let kept: Vec<_> = all.iter().filter(|r| r.gap.call.step % 7 == 0).cloned().collect();
+    let kept: Vec<_> = all.iter().filter(|r| r.close.call.step % 7 == 0).cloned().collect();
     assert!(
         all.len() > 1000 && kept == some,
         "{} rows, {} of them kept, {}",
@@ -92,7 +92,7 @@ fn a_wall_and_each_rank_have_traces_of_their_own() {
     let s = Scratch::new();
     s.file("wall.in", &deck("primitive_wall.in", &[]));
     s.granlaw(&["run", "--laws", "rust", "--record", "wall.csv", "--", "-in", "wall.in"]).ends(0, &[]);
-    assert!(rows(&s.path("wall.wall-floor.csv")).iter().all(|r| r.gap.call.is_wall));
+    assert!(rows(&s.path("wall.wall-floor.csv")).iter().all(|r| r.close.call.is_wall));
     s.file("two.in", &deck("two_ranks.in", &[]));
     s.granlaw(&["run", "--laws", "stock", "--record", "two.csv", "--np", "2", "--", "-in", "two.in"])
         .ends(0, &[]);

@@ -1,6 +1,6 @@
 //! Two spheres that touch each other and a wall; a chain for either, and what comes of it.
 use crate::built::{alone, built, has, here, said};
-use granlaw::law::{Kind, Meta};
+use granlaw::model::{Kind, Meta};
 use std::fs;
 use std::path::PathBuf;
 

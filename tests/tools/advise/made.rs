@@ -1,5 +1,5 @@
 //! Probes of scenes made for the purpose: impacts and loads of two bodies, each counted by a follower.
-use granlaw::law::Body;
+use granlaw::model::Body;
 use granlaw::pair::{run_while, Opened, Partner, Start};
 use granlaw_tools::probe::{Call, Follower, Impact, Partners, Pressed, Probe, FORMAT};
 use granlaw_tools::trace::{Handed, Header, LawSpec, Property};
@@ -186,11 +186,11 @@ fn hand_all(follower: &mut Follower, header: &Header, start: &Start, tag: i64) {
         if s.touching && s.step > 0 {
             met = true;
             let mut x = s.contact;
-            (x.gap.i.tag, x.gap.j.tag) = (tag, tag + 1);
-            x.gap.call.step += 100_000 * tag;
+            (x.close.i.tag, x.close.j.tag) = (tag, tag + 1);
+            x.close.call.step += 100_000 * tag;
             follower.sees((tag, tag + 1));
-            let (force, torque_i, torque_j) = (s.stage.force, s.stage.torque_i, s.stage.torque_j);
-            let handed = Handed::from(&s.stage);
+            let (force, torque_i, torque_j) = (s.response.force, s.response.torque_i, s.response.torque_j);
+            let handed = Handed::from(&s.response);
             let (types, place, share) = ((0, 0), 0, 1.0);
             let before = &before;
             follower.touched(&Call {

@@ -1,7 +1,7 @@
 //! Scenes for which the right advice is known.
 use super::made::{bed, friction, header, hertz, hooke, hysteresis, rolling, scene};
 use approx::assert_relative_eq;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use granlaw_tools::advise::fresh::fresh;
 use granlaw_tools::advise::{advise, Advice, AdviceError, Change, Options, Rung, Scene};
 use granlaw_tools::probe::Probe;

@@ -15,9 +15,9 @@ fn contact(all: &[State]) -> &[State] {
 
 /// Kinetic energy at the half step that the laws see.
 fn energy(s: &State, start: &Start) -> f64 {
-    let g = &s.contact.gap;
+    let g = &s.contact.close;
     let n = if start.partner == Partner::Free { 2 } else { 1 };
-    let of = |b: &granlaw::law::Body| {
+    let of = |b: &granlaw::model::Body| {
         0.5 * MASS * b.v.norm_squared() + 0.2 * MASS * RADIUS * RADIUS * b.omega.norm_squared()
     };
     [&g.i, &g.j].into_iter().take(n).map(of).sum()
@@ -78,7 +78,7 @@ fn impact_duration_restitution_overlap_load_and_tension() {
     assert_eq!(pair.counts, Counts { began: 1, parted: 1, ..Counts::default() });
     let (first, after) = (&seen[0], seen.last().unwrap());
     let en = seen[seen.len() - 2].contact.surface.en;
-    let out = en.dot(&(after.contact.gap.i.v - after.contact.gap.j.v));
+    let out = en.dot(&(after.contact.close.i.v - after.contact.close.j.v));
     let steps = seen.len() - 1;
     let one = |h: &granlaw_tools::probe::Histogram| {
         assert_eq!(h.count(), 1);
@@ -93,7 +93,7 @@ fn impact_duration_restitution_overlap_load_and_tension() {
     assert_relative_eq!(one(&pair.overlap), overlap / (0.5 * RADIUS), max_relative = 1e-14);
     // δlim = k2max/(k2max − kn) φF 2R*.
     assert_relative_eq!(one(&pair.load), overlap / (5.0 / 4.0 * 0.05 * RADIUS), max_relative = 1e-12);
-    let normal = |s: &State| s.stage.force.dot(&s.contact.surface.en);
+    let normal = |s: &State| s.response.force.dot(&s.contact.surface.en);
     let pull = peak(&|s| -normal(s)) / peak(&normal);
     assert!(pull > 0.01);
     assert_relative_eq!(one(&pair.tension), pull, max_relative = 1e-12);
@@ -110,8 +110,8 @@ fn time_slip_and_branches() {
     let pair = only(&probe);
     assert_relative_eq!(pair.time, steps as f64 * 1e-6, max_relative = 1e-12);
     let slips = |s: &State| {
-        let (f, en) = (s.stage.force, s.contact.surface.en);
-        (f - en * f.dot(&en)).norm() >= MU * s.stage.fn_.abs() * (1.0 - 1e-9)
+        let (f, en) = (s.response.force, s.contact.surface.en);
+        (f - en * f.dot(&en)).norm() >= MU * s.response.fn_.abs() * (1.0 - 1e-9)
     };
     let slipping = seen[..steps].iter().filter(|s| slips(s)).count();
     assert!(slipping > 10 && slipping < steps, "{slipping} of {steps}");

@@ -1,6 +1,6 @@
 //! Two bodies in our own integration, and their calls handed to a follower.
 use granlaw::chain::Chain;
-use granlaw::law::Body;
+use granlaw::model::Body;
 use granlaw::pair::{states, Opened, Partner, Start, State};
 use granlaw_tools::probe::{Call, Contacts, Follower};
 use granlaw_tools::trace::{Handed, Header, LawSpec, Property};
@@ -127,10 +127,10 @@ pub fn hand(
         return;
     }
     let mut x = state.contact;
-    (x.gap.i.tag, x.gap.j.tag) = (tags[0], if x.gap.call.is_wall { -1 } else { tags[1] });
-    x.gap.call.step += later;
-    if follower.sees((x.gap.i.tag, x.gap.j.tag)) {
-        let s = &state.stage;
+    (x.close.i.tag, x.close.j.tag) = (tags[0], if x.close.call.is_wall { -1 } else { tags[1] });
+    x.close.call.step += later;
+    if follower.sees((x.close.i.tag, x.close.j.tag)) {
+        let s = &state.response;
         let (force, torque_i, torque_j) = (s.force, s.torque_i, s.torque_j);
         let handed = Handed::from(s);
         let (types, place, share) = ((0, 0), 0, 1.0);

@@ -40,7 +40,7 @@ impl<L: Unit> Chunk<L> {
             let mut i = self.pairs[0][0] as usize;
             let (mut fi, mut torque_i) = (*f.add(i), *torque.add(i));
             for b in 0..self.n.div_ceil(L::WIDTH) {
-                let s = &self.blocks.get_unchecked(b).stage;
+                let s = &self.blocks.get_unchecked(b).response;
                 let (force, on_i, on_j) = (rows(&s.force), rows(&s.torque_i), rows(&s.torque_j));
                 for k in 0..L::WIDTH {
                     if b * L::WIDTH + k >= self.n {

@@ -7,7 +7,7 @@ use crate::near::Near;
 use crate::trouble::NonFinite;
 use crate::unit::Unit;
 use granlaw::lane::dot;
-use granlaw::law::{Stage, Surface};
+use granlaw::model::{Response, Surface};
 use nalgebra::Vector3;
 use std::ptr::null_mut;
 
@@ -18,7 +18,7 @@ pub(crate) const CHUNK: usize = 64;
 #[derive(Clone)]
 pub(crate) struct Block<L> {
     pub surface: Surface<L>,
-    pub stage: Stage<L>,
+    pub response: Response<L>,
 }
 
 /// Where the contacts of a block keep their fits and histories.
@@ -53,7 +53,7 @@ impl<L: Unit> Chunk<L> {
     const KEEPS_DELTA: bool = L::WIDTH > 1;
 
     pub fn new(row: usize) -> Chunk<L> {
-        let block = Block { surface: Surface::default(), stage: Stage::default() };
+        let block = Block { surface: Surface::default(), response: Response::default() };
         Chunk {
             n: 0,
             pairs: [[0; 2]; CHUNK],

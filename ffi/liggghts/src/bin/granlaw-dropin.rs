@@ -1,5 +1,5 @@
 //! Writes the model headers for a LIGGGHTS that is built from source; `scripts/dropin.sh` calls it.
-use granlaw::law::{Entry, Kind, Meta};
+use granlaw::model::{Entry, Kind, Meta};
 use granlaw::laws::LAWS;
 use std::path::Path;
 use std::process::ExitCode;

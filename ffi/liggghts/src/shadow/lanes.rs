@@ -1,6 +1,6 @@
 //! The batched pass on calls that LIGGGHTS made one after the other: each becomes two particles of their own, so that
 //! what the pass adds to them is its answer to that call alone.
-use granlaw::law::LawError;
+use granlaw::model::LawError;
 use granlaw_lanes::{batch, Arrays, Batch, Width};
 use granlaw_tools::shadow::{Answer, Session};
 use granlaw_tools::trace::{Header, Row};
@@ -80,14 +80,14 @@ impl Lanes {
         mask: [i32; 2],
         frozen: i32,
     ) {
-        let call = &row.gap.call;
+        let call = &row.close.call;
         let common = Common { step: call.step, dt: call.dt, update: call.update, frozen };
         if self.n == WAITING || self.common != common {
             self.flush(session, at);
         }
         self.common = common;
         let n = self.n;
-        for (k, body) in [&row.gap.i, &row.gap.j].into_iter().enumerate() {
+        for (k, body) in [&row.close.i, &row.close.j].into_iter().enumerate() {
             let p = 2 * n + k;
             (self.x[p], self.v[p], self.omega[p]) = (body.x.into(), body.v.into(), body.omega.into());
             (self.radius[p], self.mass[p], self.mask[p]) = (body.radius, mass[k], mask[k]);

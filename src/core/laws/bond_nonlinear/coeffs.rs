@@ -1,5 +1,5 @@
 //! What a pair of atom types decides, and what is refused.
-use crate::law::{LawError, Pair, Range};
+use crate::model::{LawError, Pair, Range};
 
 /// The three stiffnesses of one way of loading.
 #[derive(Clone, Copy, Debug)]

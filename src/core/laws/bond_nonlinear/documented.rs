@@ -13,7 +13,7 @@ use super::bend::Disc;
 use super::coeffs::Modes;
 use super::loads::Loads;
 use super::{apart, creation, damping, failure, normal, seen_from, twist, Params};
-use crate::law::{Effects, Gap, Life, Mark, Stage, Terms};
+use crate::model::{Effects, ClosePair, BondEvent, ContactFlag, Response, Observation};
 use bytemuck::{Pod, Zeroable};
 use nalgebra::Vector3;
 
@@ -60,7 +60,7 @@ struct Motion {
 }
 
 /// One evaluation.
-pub fn act(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
+pub fn interact(p: &Params, x: &ClosePair, h: &mut History, s: &mut Response, e: &mut Effects) {
     if h.r0 == 0.0 {
         return begin(p, x, h, s, e);
     }
@@ -71,7 +71,7 @@ pub fn act(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects)
 }
 
 /// A bond that is there; `h` moves on where history may be written.
-fn hold(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
+fn hold(p: &Params, x: &ClosePair, h: &mut History, s: &mut Response, e: &mut Effects) {
     let (m, side) = (Motion::new(p, x, h), seen_from(x));
     if x.call.update {
         if failure::torn(p, apart(x, m.r)) || m.out_of_hand() {
@@ -85,11 +85,11 @@ fn hold(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
         return end(h, e);
     }
     react(p, x, &m, &loads, s, e);
-    (e.mark, e.life) = (Mark::Set, Life::Lasts);
+    (e.contact_flag, e.bond_event) = (ContactFlag::Set, BondEvent::Lasts);
 }
 
 /// A new bond is at rest, and carries nothing in the evaluation in which it begins.
-fn begin(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
+fn begin(p: &Params, x: &ClosePair, h: &mut History, s: &mut Response, e: &mut Effects) {
     let r = x.rsq.sqrt();
     if !creation::wanted(p, x, apart(x, r)) {
         return;
@@ -97,18 +97,18 @@ fn begin(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
     let from = if x.call.is_wall { x.i.x - x.delta } else { x.delta * seen_from(x) };
     *h = History { r0: r, from: from.into(), ..History::default() };
     e.replace(s, Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
-    (e.mark, e.life) = (Mark::Set, Life::Begins);
+    (e.contact_flag, e.bond_event) = (ContactFlag::Set, BondEvent::Begins);
 }
 
 /// A bond that breaks leaves nothing behind, and no force in the evaluation in which it breaks.
 fn end(h: &mut History, e: &mut Effects) {
     *h = History::default();
-    (e.mark, e.life) = (Mark::Clear, Life::Ends);
+    (e.contact_flag, e.bond_event) = (ContactFlag::Clear, BondEvent::Ends);
 }
 
 impl Motion {
     /// The motion, with the anchor or D moved on in `now` where history may be written.
-    fn new(p: &Params, x: &Gap, now: &mut History) -> Motion {
+    fn new(p: &Params, x: &ClosePair, now: &mut History) -> Motion {
         let (v, dt) = (x.i.v - x.j.v, if x.call.update { x.call.dt } else { 0.0 });
         let (d, moved) = if x.call.is_wall {
             let anchor = Vector3::from(now.from) + x.j.v * dt;
@@ -205,7 +205,7 @@ fn loads(p: &Params, delta: f64, now: &mut History, side: f64) -> Loads {
 }
 
 /// The damped loads on both bodies.
-fn react(p: &Params, x: &Gap, m: &Motion, l: &Loads, s: &mut Stage, e: &mut Effects) {
+fn react(p: &Params, x: &ClosePair, m: &Motion, l: &Loads, s: &mut Response, e: &mut Effects) {
     let (eta, mass) = (&p.c.eta, inertia(p, x, m));
     let across = flat(&m.turn, &m.n);
     let fn_ = damping::along(l.normal, eta.normal, m.v.dot(&m.n), mass.normal); // (11)
@@ -218,7 +218,7 @@ fn react(p: &Params, x: &Gap, m: &Motion, l: &Loads, s: &mut Stage, e: &mut Effe
 }
 
 /// The inertia of each mode over 10 Δt; infinite where damping changes sign at once.
-fn inertia(p: &Params, x: &Gap, m: &Motion) -> Modes<f64> {
+fn inertia(p: &Params, x: &ClosePair, m: &Motion) -> Modes<f64> {
     let modes = |normal: f64, shear: f64, turn: f64| Modes { normal, shear, twist: turn, bend: turn };
     if !p.c.smooth {
         return modes(f64::INFINITY, f64::INFINITY, f64::INFINITY);
@@ -235,15 +235,15 @@ fn inertia(p: &Params, x: &Gap, m: &Motion) -> Modes<f64> {
 }
 
 /// What a study wants to know: the normal mode, and the strength that all modes use.
-pub fn observe(p: &Params, x: &Gap, h: &History) -> Terms {
+pub fn observe(p: &Params, x: &ClosePair, h: &History) -> Observation {
     let r = if x.call.is_wall { (x.i.x - Vector3::from(h.from)).norm() } else { x.rsq.sqrt() };
     let delta = h.r0 - r;
     let [max, min] = widened(h.extremes, delta);
     let carried = loads(p, delta, &mut h.clone(), seen_from(x));
-    Terms {
+    Observation {
         branch: normal::branch_name(&p.c, delta, max, min),
         stiffness: normal::tangent(&p.c, delta, max, min) * p.area,
         load: failure::used(p, [apart(x, h.r0), apart(x, r)], &carried),
-        ..Terms::default()
+        ..Observation::default()
     }
 }

@@ -48,7 +48,7 @@ mod swings;
 mod twist;
 mod upstream;
 
-use crate::law::*;
+use crate::model::*;
 use coeffs::Coeffs;
 use std::f64::consts::PI;
 
@@ -144,15 +144,15 @@ impl GapLaw for BondNonlinear {
         Params { c: *c, radius, area, polar, bending: 0.5 * polar, arms }
     }
 
-    fn act(p: &Params, x: &Gap, h: &mut [f64], s: &mut Stage, e: &mut Effects) {
+    fn interact(p: &Params, x: &ClosePair, h: &mut [f64], s: &mut Response, e: &mut Effects) {
         // λ = 0 stands for no bond between these types.
         if p.area == 0.0 {
             return;
         }
         if p.c.upstream {
-            upstream::act(p, x, Memory::view(h), s, e);
+            upstream::interact(p, x, Memory::view(h), s, e);
         } else {
-            documented::act(p, x, Memory::view(h), s, e);
+            documented::interact(p, x, Memory::view(h), s, e);
         }
     }
 
@@ -160,9 +160,9 @@ impl GapLaw for BondNonlinear {
         swings::of(p, size, speed)
     }
 
-    fn observe(p: &Params, x: &Gap, h: &[f64]) -> Terms {
+    fn observe(p: &Params, x: &ClosePair, h: &[f64]) -> Observation {
         if h[0] == 0.0 || p.c.upstream {
-            return Terms { branch: if h[0] == 0.0 { "unbonded" } else { "bonded" }, ..Terms::default() };
+            return Observation { branch: if h[0] == 0.0 { "unbonded" } else { "bonded" }, ..Observation::default() };
         }
         documented::observe(p, x, Memory::see(h))
     }
@@ -170,7 +170,7 @@ impl GapLaw for BondNonlinear {
 
 /// What a distance is compared as when a bond begins or breaks \[m\]: from centre to centre, at a wall as if it were a
 /// particle of the same size.
-fn apart(x: &Gap, r: f64) -> f64 {
+fn apart(x: &ClosePair, r: f64) -> f64 {
     if x.call.is_wall {
         2.0 * r
     } else {
@@ -179,7 +179,7 @@ fn apart(x: &Gap, r: f64) -> f64 {
 }
 
 /// +1 or −1: vectors are stored as seen by the particle with the lower tag, so that nothing depends on which is i.
-fn seen_from(x: &Gap) -> f64 {
+fn seen_from(x: &ClosePair) -> f64 {
     if x.call.is_wall || x.i.tag < x.j.tag {
         1.0
     } else {

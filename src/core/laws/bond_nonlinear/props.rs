@@ -1,5 +1,5 @@
 //! What the law asks for and what it remembers.
-use crate::law::{AtomProp, Need, Prop, Range, Setting, Shape, Slot, Unit};
+use crate::model::{AtomProp, Need, Prop, Range, Setting, Shape, Slot, Unit};
 
 const NONE: Prop = Prop {
     name: "",

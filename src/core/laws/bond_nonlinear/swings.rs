@@ -9,7 +9,7 @@
 //! Shear pulls at levers, so where the two bodies differ it swings together with bending:
 //! `ω² = ½(a + b ± √((a−b)² + 4 d² Ks Kb))`, a and b the ω² of each alone, `d = r_ci/Ii − r_cj/Ij`.
 use super::Params;
-use crate::law::{Size, Swing};
+use crate::model::{Size, Swing};
 
 /// All modes that have a stiffness.
 pub fn of(p: &Params, size: &Size, speed: f64) -> Vec<Swing> {

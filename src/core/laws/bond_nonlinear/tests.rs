@@ -2,7 +2,7 @@
 use super::bend::Disc;
 use super::coeffs::{Breaks, Coeffs, Line};
 use super::{normal, twist, BondNonlinear};
-use crate::law::*;
+use crate::model::*;
 use nalgebra::Vector3;
 
 static LAW: Entry = Entry::gap_law::<BondNonlinear>();

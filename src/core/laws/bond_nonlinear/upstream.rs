@@ -12,7 +12,7 @@
 use super::coeffs::{Breaks, Line};
 use super::{apart, creation, seen_from, Params};
 use crate::lane::{dot, norm};
-use crate::law::{Effects, Gap, Life, Mark, Stage};
+use crate::model::{Effects, ClosePair, BondEvent, ContactFlag, Response};
 use bytemuck::{Pod, Zeroable};
 use nalgebra::Vector3;
 
@@ -50,18 +50,18 @@ struct Motion {
 }
 
 /// One evaluation.
-pub fn act(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects) {
+pub fn interact(p: &Params, x: &ClosePair, h: &mut History, s: &mut Response, e: &mut Effects) {
     let r = x.rsq.sqrt();
-    e.life = Life::Lasts;
+    e.bond_event = BondEvent::Lasts;
     if h.r0 == 0.0 {
-        e.life = Life::None;
+        e.bond_event = BondEvent::None;
         if !creation::wanted(p, x, apart(x, r)) {
             return;
         }
         let kept = *h;
         *h = History { r0: r, from: (x.i.x - x.delta).into(), ..kept };
         (h.shear, h.twist, h.bend) = ([0.0; 3], [0.0; 3], [0.0; 3]);
-        e.life = Life::Begins;
+        e.bond_event = BondEvent::Begins;
     } else if x.call.is_wall && x.call.update {
         h.from = (Vector3::from(h.from) + x.j.v * x.call.dt).into();
     }
@@ -69,17 +69,17 @@ pub fn act(p: &Params, x: &Gap, h: &mut History, s: &mut Stage, e: &mut Effects)
     if x.call.update && matches!(p.c.breaks, Breaks::Distance(max) if m.r > max) {
         return end(h, e);
     }
-    e.mark = Mark::Set;
+    e.contact_flag = ContactFlag::Set;
     evaluate(p, x, &m, h, s, e);
 }
 
 fn end(h: &mut History, e: &mut Effects) {
     h.r0 = 0.0;
-    (e.mark, e.life) = (Mark::Clear, Life::Ends);
+    (e.contact_flag, e.bond_event) = (ContactFlag::Clear, BondEvent::Ends);
 }
 
 impl Motion {
-    fn new(x: &Gap, h: &History) -> Motion {
+    fn new(x: &ClosePair, h: &History) -> Motion {
         let d = if x.call.is_wall { x.i.x - Vector3::from(h.from) } else { x.delta };
         let r = norm(&d);
         let n = d * (1.0 / r);
@@ -103,7 +103,7 @@ fn projected(a: &Vector3<f64>, n: &Vector3<f64>) -> Vector3<f64> {
     unit * dot(a, &unit)
 }
 
-fn evaluate(p: &Params, x: &Gap, m: &Motion, h: &mut History, s: &mut Stage, e: &mut Effects) {
+fn evaluate(p: &Params, x: &ClosePair, m: &Motion, h: &mut History, s: &mut Response, e: &mut Effects) {
     let (c, dt, side) = (&p.c, x.call.dt, seen_from(x));
     let zero = Vector3::zeros();
     let delta = h.r0 - m.r;

@@ -8,7 +8,7 @@ use crate::study::bond::{Bond, LAMBDA, MODES};
 use crate::study::row::{Tied, Way};
 use crate::study::shot::Shot;
 use crate::study::tied::whole;
-use granlaw::law::Gap;
+use granlaw::model::ClosePair;
 use std::f64::consts::PI;
 
 const SHOT: Shot = Shot::head_on(0.005, 2500.0, 0.2);
@@ -98,7 +98,7 @@ pub(super) fn closed_form(case: &Case) -> Option<(f64, f64)> {
     let area = PI * (LAMBDA * i.radius).powi(2);
     let meff = case.shot.meff();
     if case.measure == Measure::Spin {
-        let size = Gap { i, j, meff, ..Gap::default() }.size();
+        let size = ClosePair { i, j, meff, ..ClosePair::default() }.size();
         let (ti, tj) = size.mobilities();
         // I = ¼ A r_b².
         let stiffness = 0.25 * area * (LAMBDA * i.radius).powi(2) * K[4];

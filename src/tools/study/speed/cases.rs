@@ -3,7 +3,7 @@ use super::case::{Case, Measure};
 use crate::study::matter::Matter;
 use crate::study::modes::stiffness;
 use crate::study::shot::{Rest, Shot};
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 
 fn matter(normal: &'static str, e: f64) -> Matter {
     let values = vec![

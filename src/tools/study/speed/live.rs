@@ -9,7 +9,7 @@ use crate::report::page::Spread;
 use crate::study::live::{Bench, LiveError, Who};
 use crate::study::matter::{Matter, Names};
 use crate::study::shot::Outcome;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use rayon::prelude::*;
 
 const METHODS: [(Method, Who); 3] =

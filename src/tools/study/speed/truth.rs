@@ -5,7 +5,7 @@ use crate::study::adaptive::{impact, Aim};
 use crate::study::modes::stiffness;
 use crate::study::shot::Outcome;
 use crate::study::tied::{run as run_row, whole, Look};
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use granlaw::pair::run;
 use std::f64::consts::PI;
 

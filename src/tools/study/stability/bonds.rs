@@ -6,10 +6,10 @@ use crate::study::matter::Matter;
 use crate::study::row::{Tied, Way};
 use crate::study::shot::{beads, Rest, Shot};
 use granlaw::critical::Mode;
-use granlaw::law::{Gap, Size, Swing};
+use granlaw::model::{ClosePair, Size, Swing};
 
 const SHOT: Shot = Shot::head_on(5e-4, 2500.0, 0.1);
-/// Gap between surfaces when bonds begin \[m\]; no swing of these fields closes it.
+/// ClosePair between surfaces when bonds begin \[m\]; no swing of these fields closes it.
 const GAP: f64 = 1e-4;
 /// Number of steps for which bonds with damage are followed.
 const LONG: u64 = 3072;
@@ -42,7 +42,7 @@ fn swings(matter: &Matter, shot: &Shot, speed: f64) -> Vec<Swing> {
     let all = beads(shot, &shot.tied.expect("a row"));
     let (i, j) = (&all[0], &all[1]);
     let meff = i.mass * j.mass / (i.mass + j.mass);
-    let size = Gap { i: *i, j: *j, meff, ..Gap::default() }.size();
+    let size = ClosePair { i: *i, j: *j, meff, ..ClosePair::default() }.size();
     matter.chain().expect("a sound bond").swings((0, 0), &size, speed)
 }
 

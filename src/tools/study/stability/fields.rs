@@ -6,7 +6,7 @@ use crate::study::matter::Matter;
 use crate::study::modes::stiffness;
 use crate::study::shot::{Rest, Shot};
 use crate::study::Options;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use std::f64::consts::PI;
 
 const SHOT: Shot = Shot::head_on(0.005, 2500.0, 1.0);

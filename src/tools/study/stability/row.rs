@@ -215,7 +215,7 @@ fn warns(matter: &Matter, shot: &Shot) -> f64 {
     let e_star = young / (2.0 * (1.0 - poisson * poisson));
     let [i, j] = shot.bodies();
     let speed = i.v.norm().max(j.v.norm());
-    let of = |b: &granlaw::law::Body| {
+    let of = |b: &granlaw::model::Body| {
         let r = FRACTIONS.0 * rayleigh(b.radius, shot.density, young, poisson);
         r.min(FRACTIONS.1 * hertz(b.mass, b.radius, e_star, speed))
     };

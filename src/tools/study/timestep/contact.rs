@@ -8,7 +8,7 @@ use crate::study::shot::Shot;
 use crate::trace::{Header, LawSpec};
 use granlaw::chain::Chain;
 use granlaw::critical::Mode;
-use granlaw::law::Kind;
+use granlaw::model::Kind;
 use granlaw::laws::prop;
 
 /// Every kind of contact of a chain for which there are particles.

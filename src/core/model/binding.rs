@@ -3,7 +3,7 @@ use super::Setting;
 
 /// What a law does to the flag by which LIGGGHTS keeps a pair's history across a neighbour rebuild.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Mark {
+pub enum ContactFlag {
     /// Sets it: the history is to be kept.
     Set,
     /// Clears it.
@@ -41,7 +41,7 @@ pub struct Binding {
     pub refused: &'static [Setting],
     /// The contact flag after an evaluation in which surfaces overlap, and after one in which they do not. Not read of a
     /// law that acts across gaps, which says it in every evaluation.
-    pub marks: [Mark; 2],
+    pub contact_flags: [ContactFlag; 2],
 }
 
 impl Binding {
@@ -51,7 +51,7 @@ impl Binding {
     /// A law with these numbers whose settings all do the same as LIGGGHTS's, and that keeps a history while surfaces
     /// overlap.
     pub const fn new(id: u8, stock_id: Option<u8>) -> Binding {
-        let marks = [Mark::Set, Mark::Clear];
-        Binding { id, stock_id, own_settings: &[], ignored: &[], refused: &[], marks }
+        let contact_flags = [ContactFlag::Set, ContactFlag::Clear];
+        Binding { id, stock_id, own_settings: &[], ignored: &[], refused: &[], contact_flags }
     }
 }

@@ -10,9 +10,9 @@ mod kernel;
 mod meta;
 mod setup;
 
-pub use binding::{Binding, Mark, Support};
+pub use binding::{Binding, ContactFlag, Support};
 pub use contact::{
-    Body, Call, Contact, Effects, Gap, Life, Size, Stage, Surface, Swing, Terms, ATOM_OUTPUTS, ATOM_PROPS,
+    Body, Call, Contact, Effects, ClosePair, BondEvent, Size, Response, Surface, Swing, Observation, ATOM_OUTPUTS, ATOM_PROPS,
 };
 pub use entry::{Alone, Entry, ForLanes};
 pub use kernel::{Kernel, Memory, Slots};
@@ -28,7 +28,7 @@ use crate::lane::{Lane, Lanes};
 ///
 /// ```
 /// use granlaw::lane::{Lane, Lanes};
-/// use granlaw::law::*;
+/// use granlaw::model::*;
 ///
 /// /// F = k δ, with k from the deck.
 /// struct Spring;
@@ -48,13 +48,13 @@ use crate::lane::{Lane, Lanes};
 ///     fn params(k: &f64, _: &Size) -> [f64; 1] {
 ///         [*k]
 ///     }
-///     fn touch<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Stage<L>) {
+///     fn surfaces_intersect<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
 ///         (s.fn_, s.kn) = (*k * x.deltan, *k);
 ///         s.force += x.en * s.fn_;
 ///     }
-///     fn observe([k]: &[f64; 1], x: &Contact, _: &[f64; 0]) -> Terms {
+///     fn observe([k]: &[f64; 1], x: &Contact, _: &[f64; 0]) -> Observation {
 ///         let delta = x.surface.deltan;
-///         Terms { branch: "spring", stiffness: *k, stored: 0.5 * k * delta * delta, ..Terms::default() }
+///         Observation { branch: "spring", stiffness: *k, stored: 0.5 * k * delta * delta, ..Observation::default() }
 ///     }
 /// }
 ///
@@ -62,10 +62,10 @@ use crate::lane::{Lane, Lanes};
 /// let values = Values { types: 1, of: vec![vec![1e4]] };
 /// let setup = Setup { law: &SPRING, settings: Settings::new(&SPRING, false), values, nktv2p: 1.0 };
 /// let mut chain = granlaw::chain::Chain::packed(&[setup])?;
-/// let mut stage = Stage::default();
+/// let mut response = Response::default();
 /// let surface = Surface { deltan: 1e-4, en: nalgebra::Vector3::x(), ..Surface::default() };
-/// chain.touch((0, 0), &Contact { surface, ..Contact::default() }, &mut [], &mut stage);
-/// assert_eq!(stage.force.x, 1.0);
+/// chain.surfaces_intersect((0, 0), &Contact { surface, ..Contact::default() }, &mut [], &mut response);
+/// assert_eq!(response.force.x, 1.0);
 /// # Ok::<(), LawError>(())
 /// ```
 pub trait Law: 'static {
@@ -93,15 +93,15 @@ pub trait Law: 'static {
     /// The parameters of a contact between two sizes.
     fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
     /// The surfaces overlap. The hot function, for as many contacts as the lane is wide; `call` is the same for all.
-    fn touch<L: Lane>(
+    fn surfaces_intersect<L: Lane>(
         p: &<Self::Params as Lanes>::Of<L>,
         call: &Call,
         x: &Surface<L>,
         h: &mut <Self::History as Lanes>::Of<L>,
-        s: &mut Stage<L>,
+        s: &mut Response<L>,
     );
     /// What a study wants to know of the contact, before `touch` is called on it.
-    fn observe(p: &Self::Params, x: &Contact, h: &Self::History) -> Terms;
+    fn observe(p: &Self::Params, x: &Contact, h: &Self::History) -> Observation;
 }
 
 /// A law that acts across a gap too, one contact at a time.
@@ -131,10 +131,10 @@ pub trait GapLaw: 'static {
     /// As [`Law::params`].
     fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
     /// Two bodies near each other, whether or not surfaces overlap.
-    fn act(p: &Self::Params, x: &Gap, h: &mut Self::History, s: &mut Stage, e: &mut Effects);
+    fn interact(p: &Self::Params, x: &ClosePair, h: &mut Self::History, s: &mut Response, e: &mut Effects);
     /// The ways in which two bodies swing under the law, each as stiff as it gets; they limit the time step. `speed` is how
     /// fast the bodies move against each other \[m/s\].
     fn swings(p: &Self::Params, size: &Size, speed: f64) -> Vec<Swing>;
     /// What a study wants to know of the contact, before `act` is called on it.
-    fn observe(p: &Self::Params, x: &Gap, h: &Self::History) -> Terms;
+    fn observe(p: &Self::Params, x: &ClosePair, h: &Self::History) -> Observation;
 }

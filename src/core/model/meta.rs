@@ -290,9 +290,9 @@ pub struct AtomProp {
 /// A number that a normal law hands to the laws behind it, beyond the stiffnesses and dampings that all of them hand on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
-    /// Adhesion stiffness kc \[N/m\], in [`Stage::kc`](super::Stage::kc).
+    /// Adhesion stiffness kc \[N/m\], in [`Response::kc`](super::Response::kc).
     Kc,
-    /// Normal force without adhesion and damping f0 \[N\], in [`Stage::fo`](super::Stage::fo).
+    /// Normal force without adhesion and damping f0 \[N\], in [`Response::fo`](super::Response::fo).
     Fo,
 }
 

@@ -1,5 +1,5 @@
 //! A law with its types erased, prepared for all pairs of atom types.
-use super::{Contact, Effects, Gap, GapLaw, Law, LawError, Reach, Setup, Size, Stage, Swing, Terms};
+use super::{Contact, Effects, ClosePair, GapLaw, Law, LawError, Reach, Setup, Size, Response, Swing, Observation};
 use crate::lane::{Lane, Lanes};
 use bytemuck::Pod;
 use std::ops::Range;
@@ -9,11 +9,11 @@ pub trait Kernel: Send {
     /// Fit to two sizes of a pair of atom types (`type_i * types + type_j`, counted from 0), for all calls until the next fit.
     fn fit(&mut self, pair: usize, size: &Size);
     /// The surfaces overlap.
-    fn touch(&self, x: &Contact, row: &mut [f64], s: &mut Stage, e: &mut Effects);
+    fn surfaces_intersect(&self, x: &Contact, row: &mut [f64], s: &mut Response, e: &mut Effects);
     /// They do not. Only a law with [`Reach::Beyond`] needs a fit for this.
-    fn apart(&self, x: &Gap, row: &mut [f64], s: &mut Stage, e: &mut Effects);
+    fn surfaces_close(&self, x: &ClosePair, row: &mut [f64], s: &mut Response, e: &mut Effects);
     /// See [`Law::observe`].
-    fn observe(&self, x: &Contact, row: &[f64]) -> Terms;
+    fn observe(&self, x: &Contact, row: &[f64]) -> Observation;
     /// See [`GapLaw::swings`]; `size` is that of the fit.
     fn swings(&self, size: &Size, speed: f64) -> Vec<Swing>;
     /// The largest [`GapLaw::reach`] of all type pairs \[m\].
@@ -142,17 +142,17 @@ impl<W: Law> Kernel for Single<W> {
     fn fit(&mut self, pair: usize, size: &Size) {
         self.of.params = Some(W::params(&self.of.coeffs[pair], size));
     }
-    fn touch(&self, x: &Contact, row: &mut [f64], s: &mut Stage, e: &mut Effects) {
+    fn surfaces_intersect(&self, x: &Contact, row: &mut [f64], s: &mut Response, e: &mut Effects) {
         let mut h = self.history(row);
-        W::touch::<f64>(self.of.params(), &x.gap.call, &x.surface, &mut h, s);
+        W::surfaces_intersect::<f64>(self.of.params(), &x.close.call, &x.surface, &mut h, s);
         self.keep(&h, row);
-        e.mark = W::LIGGGHTS.marks[0];
+        e.contact_flag = W::LIGGGHTS.contact_flags[0];
     }
-    fn apart(&self, _: &Gap, row: &mut [f64], _: &mut Stage, e: &mut Effects) {
+    fn surfaces_close(&self, _: &ClosePair, row: &mut [f64], _: &mut Response, e: &mut Effects) {
         self.keep(&W::History::zero::<f64>(), row);
-        e.mark = W::LIGGGHTS.marks[1];
+        e.contact_flag = W::LIGGGHTS.contact_flags[1];
     }
-    fn observe(&self, x: &Contact, row: &[f64]) -> Terms {
+    fn observe(&self, x: &Contact, row: &[f64]) -> Observation {
         W::observe(self.of.params(), x, &self.history(row))
     }
     fn swings(&self, _: &Size, _: f64) -> Vec<Swing> {
@@ -176,14 +176,14 @@ impl<W: GapLaw> Kernel for Across<W> {
     fn fit(&mut self, pair: usize, size: &Size) {
         self.of.params = Some(W::params(&self.of.coeffs[pair], size));
     }
-    fn touch(&self, x: &Contact, row: &mut [f64], s: &mut Stage, e: &mut Effects) {
-        self.apart(&x.gap, row, s, e);
+    fn surfaces_intersect(&self, x: &Contact, row: &mut [f64], s: &mut Response, e: &mut Effects) {
+        self.surfaces_close(&x.close, row, s, e);
     }
-    fn apart(&self, x: &Gap, row: &mut [f64], s: &mut Stage, e: &mut Effects) {
-        W::act(self.of.params(), x, W::History::view(&mut row[self.slots.clone()]), s, e);
+    fn surfaces_close(&self, x: &ClosePair, row: &mut [f64], s: &mut Response, e: &mut Effects) {
+        W::interact(self.of.params(), x, W::History::view(&mut row[self.slots.clone()]), s, e);
     }
-    fn observe(&self, x: &Contact, row: &[f64]) -> Terms {
-        W::observe(self.of.params(), &x.gap, W::History::see(&row[self.slots.clone()]))
+    fn observe(&self, x: &Contact, row: &[f64]) -> Observation {
+        W::observe(self.of.params(), &x.close, W::History::see(&row[self.slots.clone()]))
     }
     fn swings(&self, size: &Size, speed: f64) -> Vec<Swing> {
         W::swings(self.of.params(), size, speed)

@@ -1,5 +1,5 @@
 //! What a law sees of a contact, and what it answers. SI units.
-use super::Mark;
+use super::ContactFlag;
 use crate::lane::{cross, dot, zero, Lane};
 use nalgebra::Vector3;
 
@@ -65,7 +65,7 @@ impl Default for Body {
 
 /// Two bodies near each other, whether or not they touch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Gap {
+pub struct ClosePair {
     /// The circumstances.
     pub call: Call,
     /// The particle that the force is reported for.
@@ -80,21 +80,21 @@ pub struct Gap {
     pub meff: f64,
 }
 
-impl Gap {
+impl ClosePair {
     /// The same with the effective mass of its bodies, as LIGGGHTS takes it.
-    pub fn weighed(self) -> Gap {
+    pub fn weighed(self) -> ClosePair {
         let (i, j) = (self.i.mass, self.j.mass);
         let meff = match () {
             _ if self.call.is_wall || self.j.frozen => self.i.felt_mass(),
             _ if self.i.frozen => j,
             _ => i * j / (i + j),
         };
-        Gap { meff, ..self }
+        ClosePair { meff, ..self }
     }
 
     /// The sizes and masses.
     pub fn size(&self) -> Size {
-        let Gap { call, i, j, meff, .. } = self;
+        let ClosePair { call, i, j, meff, .. } = self;
         let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
         Size { radi, radj, massi, massj, frozen: [i.frozen, j.frozen], meff: *meff, is_wall: call.is_wall }
     }
@@ -181,25 +181,25 @@ impl<L: Lane> Surface<L> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact {
     /// The bodies.
-    pub gap: Gap,
+    pub close: ClosePair,
     /// Their surfaces.
     pub surface: Surface,
 }
 
 impl Contact {
     /// Two spheres, by [`Surface::between`].
-    pub fn pair(gap: Gap) -> Contact {
+    pub fn pair(gap: ClosePair) -> Contact {
         let (i, j) = (&gap.i, &gap.j);
         let surface =
             Surface::between(&gap.delta, gap.rsq, (i.radius, j.radius), &(i.v - j.v), (&i.omega, &j.omega));
-        Contact { gap, surface }
+        Contact { close: gap, surface }
     }
 
     /// A sphere on a wall, by [`Surface::at_wall`]; `deltan` is the overlap that the wall found \[m\].
-    pub fn wall(gap: Gap, deltan: f64) -> Contact {
+    pub fn wall(gap: ClosePair, deltan: f64) -> Contact {
         let (i, j) = (&gap.i, &gap.j);
         let surface = Surface::at_wall(&gap.delta, deltan, i.radius, &(i.v - j.v), &i.omega);
-        Contact { gap, surface }
+        Contact { close: gap, surface }
     }
 }
 
@@ -261,7 +261,7 @@ pub struct Swing {
 
 /// What becomes of a bond that a law keeps between two bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Life {
+pub enum BondEvent {
     /// There is none.
     #[default]
     None,
@@ -275,7 +275,7 @@ pub enum Life {
 
 /// What is handed along the chain: each law reads what the ones before it left, and adds its share.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stage<L = f64> {
+pub struct Response<L = f64> {
     /// Normal force \[N\], positive when it pushes apart.
     pub fn_: L,
     /// Normal stiffness kn \[N/m\].
@@ -298,13 +298,13 @@ pub struct Stage<L = f64> {
     pub torque_j: Vector3<L>,
 }
 
-impl<L: Lane> Default for Stage<L> {
+impl<L: Lane> Default for Response<L> {
     #[inline(always)]
-    fn default() -> Stage<L> {
+    fn default() -> Response<L> {
         let o = L::splat(0.0);
         let (force, torque_i, torque_j) = (zero(), zero(), zero());
         let (fn_, kn, kt, gamman, gammat, kc, fo) = (o, o, o, o, o, o, o);
-        Stage { fn_, kn, kt, gamman, gammat, kc, fo, force, torque_i, torque_j }
+        Response { fn_, kn, kt, gamman, gammat, kc, fo, force, torque_i, torque_j }
     }
 }
 
@@ -312,9 +312,9 @@ impl<L: Lane> Default for Stage<L> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Effects {
     /// What it does to the contact flag.
-    pub mark: Mark,
+    pub contact_flag: ContactFlag,
     /// What becomes of its bond.
-    pub life: Life,
+    pub bond_event: BondEvent,
     /// Whether there is a force although surfaces do not overlap.
     pub acts: bool,
     /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
@@ -327,7 +327,7 @@ impl Effects {
     /// Force on i and torques on both in place of whatever the laws before gave; the laws that follow add to them.
     pub fn replace(
         &mut self,
-        s: &mut Stage,
+        s: &mut Response,
         force: Vector3<f64>,
         torque_i: Vector3<f64>,
         torque_j: Vector3<f64>,
@@ -339,7 +339,7 @@ impl Effects {
 
 /// What a law can tell a study about one contact, so that no study describes a law a second time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Terms {
+pub struct Observation {
     /// The branch that holds, a fixed word of the law.
     pub branch: &'static str,
     /// Tangent stiffness of the degree of freedom that the law acts on \[N/m\]; \[N m/rad\] for a rolling law.
