@@ -1,8 +1,8 @@
 //! `granlaw laws`: lists the laws and what they need.
 use crate::console;
 use anyhow::bail;
-use granlaw::model::{Entry, Kind, Need, Newton, Prop, Setting, Support};
 use granlaw::laws::LAWS;
+use granlaw::model::{Entry, Kind, Need, Newton, Prop, Setting, Support};
 use granlaw_tools::spelling;
 use serde_json::{json, Value};
 use std::fmt::{self, Write};

@@ -1,5 +1,5 @@
 //! The longest stable time steps, by theory, and what LIGGGHTS's own check says.
-use crate::model::Swing;
+use crate::model::Mode;
 use std::f64::consts::PI;
 
 /// Up to this times π/ω no contact of `granlaw stability`'s maps creates energy, but for those without any damping, whose
@@ -9,17 +9,6 @@ pub const SAFE: f64 = 0.13;
 /// The same for bonds, by their fastest mode, unless they neither take damage nor are damped. The least of the maps is 0.098,
 /// of twist in some thousand steps, and it was seen to fall to 0.092 in 40,000.
 pub const SAFE_BOND: f64 = 0.06;
-
-/// A degree of freedom as a linear oscillator.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Mode {
-    /// Stiffness \[N/m\].
-    pub stiffness: f64,
-    /// Damping \[N s/m\].
-    pub damping: f64,
-    /// Mass \[kg\].
-    pub mass: f64,
-}
 
 impl Mode {
     /// Angular frequency without damping \[rad/s\].
@@ -60,12 +49,6 @@ impl Mode {
     /// A step \[s\] below which a bond with this mode as its fastest creates no energy on the maps.
     pub fn safe_bond(&self) -> f64 {
         SAFE_BOND * PI / self.frequency()
-    }
-}
-
-impl From<Swing> for Mode {
-    fn from(s: Swing) -> Mode {
-        Mode { stiffness: s.stiffness, damping: 0.0, mass: s.mass }
     }
 }
 

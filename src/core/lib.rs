@@ -12,6 +12,6 @@ extern crate self as granlaw;
 pub mod chain;
 pub mod critical;
 pub mod lane;
-pub mod model;
 pub mod laws;
+pub mod model;
 pub mod pair;

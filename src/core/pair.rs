@@ -4,7 +4,7 @@
 //! full-step velocities that may not write history; then per step half a kick, the drift, an evaluation that sees
 //! half-step velocities, and the other half of the kick. A pair then moves bit for bit as in LIGGGHTS.
 use crate::chain::Chain;
-use crate::model::{Body, Call, Contact, ClosePair, Response};
+use crate::model::{Body, Call, ClosePair, Contact, Response};
 use nalgebra::Vector3;
 
 /// What stands against body i.
@@ -168,8 +168,8 @@ fn square(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Kind, Settings, Setup, Values};
     use crate::laws::find;
+    use crate::model::{Kind, Settings, Setup, Values};
 
     fn chain(laws: &[(Kind, &str)]) -> Chain {
         let given = |name: &str| match name {

@@ -3,8 +3,8 @@ use crate::abi::*;
 use crate::call;
 use crate::status::Failure;
 use granlaw::chain::ChainEffects;
-use granlaw::model::{Body, Contact, ClosePair, Meta, Settings, Setup, Response, Surface, Values};
 use granlaw::laws::LAWS;
+use granlaw::model::{Body, ClosePair, Contact, Meta, Response, Settings, Setup, Surface, Values};
 use nalgebra::Vector3;
 use std::slice::from_raw_parts;
 
@@ -228,7 +228,11 @@ pub fn non_finite(laws: impl Iterator<Item = &'static Meta>, x: &Contact) -> Fai
 
 /// What the chain begins with: the torques that LIGGGHTS's laws before it have given to this contact.
 #[inline]
-pub fn response(s: &granlaw_surfaces_close_data, fi: &granlaw_force_data, fj: &granlaw_force_data) -> Response {
+pub fn response(
+    s: &granlaw_surfaces_close_data,
+    fi: &granlaw_force_data,
+    fj: &granlaw_force_data,
+) -> Response {
     let mut torque_i = Vector3::from(fi.delta_torque);
     if s.is_wall && s.area_ratio != 1.0 {
         whole(&mut torque_i, s.area_ratio);

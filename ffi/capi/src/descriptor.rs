@@ -1,8 +1,8 @@
 //! `LAWS` as C sees them, built once and kept for ever.
 use crate::abi::*;
 use crate::c_string;
-use granlaw::model::{AtomProp, Entry, Kind, Need, Newton, Prop, Reach, Setting, Shape, Slot, Support};
 use granlaw::laws::LAWS;
+use granlaw::model::{AtomProp, Entry, Kind, Need, Newton, Prop, Reach, Setting, Shape, Slot, Support};
 use std::ffi::c_char;
 use std::sync::OnceLock;
 

@@ -13,8 +13,8 @@ pub mod status;
 
 use abi::*;
 use granlaw::chain::{Bonds, Chain, ChainEffects, Wall};
-use granlaw::model::{Call, Contact, Response};
 use granlaw::laws::LAWS;
+use granlaw::model::{Call, Contact, Response};
 use status::{boundary, Failure};
 use std::ffi::{c_char, CString};
 use std::ptr::{null, null_mut};
@@ -235,11 +235,13 @@ pub unsafe extern "C" fn granlaw_surfaces_intersect(
             return Err(convert::non_finite(c.chain.laws(), &x));
         }
         let mut response = convert::response(&s.close, fi, fj);
-        (response.fn_, response.kn, response.kt, response.gamman, response.gammat) = (s.Fn, s.kn, s.kt, s.gamman, s.gammat);
+        (response.fn_, response.kn, response.kt, response.gamman, response.gammat) =
+            (s.Fn, s.kn, s.kt, s.gamman, s.gammat);
         // SAFETY: contact_history is NULL or as long as the chain's row.
         let row = unsafe { convert::history(s.close.contact_history, c.chain.row()) }?;
         let done = c.chain.surfaces_intersect(types, &x, row, &mut response);
-        (s.Fn, s.kn, s.kt, s.gamman, s.gammat) = (response.fn_, response.kn, response.kt, response.gamman, response.gammat);
+        (s.Fn, s.kn, s.kt, s.gamman, s.gammat) =
+            (response.fn_, response.kn, response.kt, response.gamman, response.gammat);
         // SAFETY: contact_flags is NULL or valid.
         unsafe { mark(s.close.contact_flags, &done) };
         // SAFETY: the arrays of the pass reach as far as its indices.

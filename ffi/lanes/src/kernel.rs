@@ -2,7 +2,7 @@
 use crate::chunk::{At, Block, Chunk};
 use crate::unit::Unit;
 use granlaw::lane::Lanes;
-use granlaw::model::{Call, ForLanes, Law, LawError, Setup, Size, Slots, Response};
+use granlaw::model::{Call, ForLanes, Law, LawError, Response, Setup, Size, Slots};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 

@@ -8,8 +8,8 @@ use crate::seen::{size, Seen};
 use crate::trouble::Trouble;
 use crate::unit::Unit;
 use crate::Batch;
-use granlaw::model::{Call, LawError, ContactFlag, Setup};
 use granlaw::laws::made;
+use granlaw::model::{Call, ContactFlag, LawError, Setup};
 
 /// A neighbour without a fit.
 const NONE: u32 = u32::MAX;

@@ -1,6 +1,6 @@
 //! The batched pass behind C. The structs are those of `cpp/boundary.h`.
 use crate::boundary::{granlaw_account, granlaw_arrays};
-use granlaw::model::{Body, Contact, ClosePair, Meta, Surface};
+use granlaw::model::{Body, ClosePair, Contact, Meta, Surface};
 use granlaw_capi::abi::{granlaw_setup, granlaw_status};
 use granlaw_capi::convert::{non_finite, setups};
 use granlaw_capi::status::{boundary, Failure};

@@ -2,8 +2,8 @@
 use crate::boundary::{
     granlaw_recorded_call, granlaw_recorded_chain, granlaw_recorded_law, granlaw_recorded_particles,
 };
-use granlaw::model::{ClosePair, Settings, Surface};
 use granlaw::laws::LAWS;
+use granlaw::model::{ClosePair, Settings, Surface};
 use granlaw_capi::abi::granlaw_status;
 use granlaw_capi::convert::{contact, parted, settings, slice};
 use granlaw_capi::status::{boundary, Failure};

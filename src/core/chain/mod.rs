@@ -1,7 +1,7 @@
 //! The chosen laws over one contact, in LIGGGHTS's order, with their histories side by side in one row.
 use crate::model::{
-    Call, Contact, Effects, ClosePair, Kernel, LawError, BondEvent, ContactFlag, Meta, Reach, Setup, Size, Response, Swing, Observation,
-    ATOM_OUTPUTS,
+    BondEvent, Call, ClosePair, Contact, ContactFlag, Effects, Kernel, LawError, Meta, NamedMode,
+    Observation, Reach, Response, Setup, Size, ATOM_OUTPUTS,
 };
 
 mod host;
@@ -140,7 +140,13 @@ impl Chain {
     /// The surfaces overlap. `types` are the atom types counted from 0, `h` is the contact's row of history; what
     /// `s` holds already is kept and added to.
     #[inline]
-    pub fn surfaces_intersect(&mut self, types: (usize, usize), x: &Contact, h: &mut [f64], s: &mut Response) -> ChainEffects {
+    pub fn surfaces_intersect(
+        &mut self,
+        types: (usize, usize),
+        x: &Contact,
+        h: &mut [f64],
+        s: &mut Response,
+    ) -> ChainEffects {
         self.fit(types, &x.close);
         self.run(&x.close.call, h, s, |kernel, h, s, e| kernel.surfaces_intersect(x, h, s, e))
     }
@@ -162,7 +168,13 @@ impl Chain {
     }
 
     /// They do not.
-    pub fn surfaces_close(&mut self, types: (usize, usize), x: &ClosePair, h: &mut [f64], s: &mut Response) -> ChainEffects {
+    pub fn surfaces_close(
+        &mut self,
+        types: (usize, usize),
+        x: &ClosePair,
+        h: &mut [f64],
+        s: &mut Response,
+    ) -> ChainEffects {
         if self.across {
             self.fit(types, x);
         }
@@ -220,10 +232,10 @@ impl Chain {
         self.bonds
     }
 
-    /// The ways in which two bodies swing under laws that act whether or not surfaces overlap; see [`crate::model::GapLaw::swings`].
-    pub fn swings(&mut self, types: (usize, usize), size: &Size, speed: f64) -> Vec<Swing> {
+    /// The modes of two bodies under laws that act whether or not surfaces overlap; see [`crate::model::GapLaw::modes`].
+    pub fn modes(&mut self, types: (usize, usize), size: &Size, speed: f64) -> Vec<NamedMode> {
         self.fit_to(types, *size);
-        self.links.iter().flat_map(|l| l.kernel.swings(size, speed)).collect()
+        self.links.iter().flat_map(|l| l.kernel.modes(size, speed)).collect()
     }
 
     /// What each law can tell of the contact before it is evaluated.

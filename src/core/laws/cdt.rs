@@ -48,7 +48,13 @@ impl Law for Cdt {
     }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        p: &Params<L>,
+        call: &Call,
+        x: &Surface<L>,
+        _: &mut [L; 0],
+        s: &mut Response<L>,
+    ) {
         let spin = norm(&x.roll);
         let torque = p.torque.along(&x.roll, spin, call, x, s.kn);
         let mut torque = select3(spin.gt(L::splat(0.0)), torque, zero()); // (E1)
@@ -59,6 +65,9 @@ impl Law for Cdt {
     }
 
     fn observe(_: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
-        Observation { branch: if norm(&x.surface.roll) > 0.0 { "rolling" } else { "at rest" }, ..Observation::default() }
+        Observation {
+            branch: if norm(&x.surface.roll) > 0.0 { "rolling" } else { "at rest" },
+            ..Observation::default()
+        }
     }
 }

@@ -150,7 +150,13 @@ impl Law for CdtJkr {
     }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        p: &Params<L>,
+        call: &Call,
+        x: &Surface<L>,
+        _: &mut [L; 0],
+        s: &mut Response<L>,
+    ) {
         let Switches { torsion, rest_limit, .. } = p.switches;
         let spin = if rest_limit { p.resting(call, x, s) } else { x.roll };
         let (axis, length, rolls) = p.axis(spin, &x.en);

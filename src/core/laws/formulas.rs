@@ -1,6 +1,6 @@
 //! What several laws share. Operations stand in LIGGGHTS's order, so that the same numbers come out to the last bit.
 use crate::lane::{dot, each, Lane, Lanes};
-use crate::model::{Call, Pair, Size, Response, Surface};
+use crate::model::{Call, Pair, Response, Size, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

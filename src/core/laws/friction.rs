@@ -1,7 +1,7 @@
 //! What the friction laws share.
 use super::timing::Timing;
 use crate::lane::{cross, Lane, Lanes};
-use crate::model::{LawError, Pair, Size, Response, Surface};
+use crate::model::{LawError, Pair, Response, Size, Surface};
 use nalgebra::Vector3;
 
 /// What a pair of types decides.

@@ -101,7 +101,13 @@ impl Law for Hertz {
     }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        p: &Params<L>,
+        call: &Call,
+        x: &Surface<L>,
+        _: &mut [L; 0],
+        s: &mut Response<L>,
+    ) {
         let root = (p.reff * x.deltan).sqrt();
         let (sn, st) = (L::splat(2.0) * p.yeff * root, L::splat(8.0) * p.geff * root); // (E1)
         let (kn, kt) = (L::splat(4.0 / 3.0) * p.yeff * root / p.nktv2p, st / p.nktv2p); // (E2)

@@ -70,7 +70,13 @@ impl Law for History {
     }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        p: &Params<L>,
+        call: &Call,
+        x: &Surface<L>,
+        h: &mut [L; 3],
+        s: &mut Response<L>,
+    ) {
         if p.timing.acts(call) {
             return timed(p, call, x, h, s);
         }

@@ -43,7 +43,13 @@ impl Law for NoHistory {
     }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        p: &Params<L>,
+        call: &Call,
+        x: &Surface<L>,
+        _: &mut [L; 0],
+        s: &mut Response<L>,
+    ) {
         let speed = norm(&x.vtr);
         let coulomb = p.mu * s.fn_.abs();
         let acts = p.timing.acts(call);
@@ -60,6 +66,9 @@ impl Law for NoHistory {
 
     /// Before the normal law has run, only the speed is known.
     fn observe(_: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
-        Observation { branch: if norm(&x.surface.vtr) > 0.0 { "sliding" } else { "at rest" }, ..Observation::default() }
+        Observation {
+            branch: if norm(&x.surface.vtr) > 0.0 { "sliding" } else { "at rest" },
+            ..Observation::default()
+        }
     }
 }

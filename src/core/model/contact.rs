@@ -246,17 +246,26 @@ impl Size {
     }
 }
 
-/// One way in which two bodies swing under a law, as a linear oscillator.
+/// A degree of freedom as a linear oscillator.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mode {
+    /// Stiffness \[N/m\].
+    pub stiffness: f64,
+    /// Damping \[N s/m\].
+    pub damping: f64,
+    /// Mass \[kg\].
+    pub mass: f64,
+}
+
+/// One mode of two bodies under a law that acts whether or not surfaces overlap, at its largest stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Swing {
+pub struct NamedMode {
     /// Which, a fixed word of the law.
     pub name: &'static str,
-    /// Whether it turns the bodies about each other: then angles stand for ways.
-    pub turns: bool,
-    /// Its largest stiffness \[N/m\], or \[N m/rad\] if it turns.
-    pub stiffness: f64,
-    /// The mass that it moves \[kg\], or the inertia \[kg m²\].
-    pub mass: f64,
+    /// Whether the bodies rotate about each other: then stiffness is in N m/rad and mass in kg m².
+    pub rotational: bool,
+    /// The oscillator.
+    pub mode: Mode,
 }
 
 /// What becomes of a bond that a law keeps between two bodies.

@@ -1,5 +1,7 @@
 //! A law with its types erased, prepared for all pairs of atom types.
-use super::{Contact, Effects, ClosePair, GapLaw, Law, LawError, Reach, Setup, Size, Response, Swing, Observation};
+use super::{
+    ClosePair, Contact, Effects, GapLaw, Law, LawError, NamedMode, Observation, Reach, Response, Setup, Size,
+};
 use crate::lane::{Lane, Lanes};
 use bytemuck::Pod;
 use std::ops::Range;
@@ -14,8 +16,8 @@ pub trait Kernel: Send {
     fn surfaces_close(&self, x: &ClosePair, row: &mut [f64], s: &mut Response, e: &mut Effects);
     /// See [`Law::observe`].
     fn observe(&self, x: &Contact, row: &[f64]) -> Observation;
-    /// See [`GapLaw::swings`]; `size` is that of the fit.
-    fn swings(&self, size: &Size, speed: f64) -> Vec<Swing>;
+    /// See [`GapLaw::modes`]; `size` is that of the fit.
+    fn modes(&self, size: &Size, speed: f64) -> Vec<NamedMode>;
     /// The largest [`GapLaw::reach`] of all type pairs \[m\].
     fn reach(&self, is_wall: bool) -> f64;
     /// See [`Law::remarks`]; each once.
@@ -155,7 +157,7 @@ impl<W: Law> Kernel for Single<W> {
     fn observe(&self, x: &Contact, row: &[f64]) -> Observation {
         W::observe(self.of.params(), x, &self.history(row))
     }
-    fn swings(&self, _: &Size, _: f64) -> Vec<Swing> {
+    fn modes(&self, _: &Size, _: f64) -> Vec<NamedMode> {
         Vec::new()
     }
     fn reach(&self, _: bool) -> f64 {
@@ -185,8 +187,8 @@ impl<W: GapLaw> Kernel for Across<W> {
     fn observe(&self, x: &Contact, row: &[f64]) -> Observation {
         W::observe(self.of.params(), &x.close, W::History::see(&row[self.slots.clone()]))
     }
-    fn swings(&self, size: &Size, speed: f64) -> Vec<Swing> {
-        W::swings(self.of.params(), size, speed)
+    fn modes(&self, size: &Size, speed: f64) -> Vec<NamedMode> {
+        W::modes(self.of.params(), size, speed)
     }
     fn reach(&self, is_wall: bool) -> f64 {
         self.of.coeffs.iter().map(|c| W::reach(c, is_wall)).fold(0.0, f64::max)

@@ -12,7 +12,8 @@ mod setup;
 
 pub use binding::{Binding, ContactFlag, Support};
 pub use contact::{
-    Body, Call, Contact, Effects, ClosePair, BondEvent, Size, Response, Surface, Swing, Observation, ATOM_OUTPUTS, ATOM_PROPS,
+    Body, BondEvent, Call, ClosePair, Contact, Effects, Mode, NamedMode, Observation, Response, Size,
+    Surface, ATOM_OUTPUTS, ATOM_PROPS,
 };
 pub use entry::{Alone, Entry, ForLanes};
 pub use kernel::{Kernel, Memory, Slots};
@@ -132,9 +133,9 @@ pub trait GapLaw: 'static {
     fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
     /// Two bodies near each other, whether or not surfaces overlap.
     fn interact(p: &Self::Params, x: &ClosePair, h: &mut Self::History, s: &mut Response, e: &mut Effects);
-    /// The ways in which two bodies swing under the law, each as stiff as it gets; they limit the time step. `speed` is how
-    /// fast the bodies move against each other \[m/s\].
-    fn swings(p: &Self::Params, size: &Size, speed: f64) -> Vec<Swing>;
+    /// The modes of two bodies under the law, each at its largest stiffness; they limit the time step. `speed` is how fast
+    /// the bodies move against each other \[m/s\].
+    fn modes(p: &Self::Params, size: &Size, speed: f64) -> Vec<NamedMode>;
     /// What a study wants to know of the contact, before `act` is called on it.
     fn observe(p: &Self::Params, x: &ClosePair, h: &Self::History) -> Observation;
 }

@@ -1,7 +1,7 @@
 //! Simpler chains: what can be left out of a chain of laws, or put in place of one.
 use crate::trace::{Header, LawSpec, Property};
-use granlaw::model::{Entry, Kind, Settings};
 use granlaw::laws::{prop, LAWS};
+use granlaw::model::{Entry, Kind, Settings};
 use serde::Serialize;
 
 /// One change to the laws.

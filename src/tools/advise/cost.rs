@@ -2,7 +2,7 @@
 use super::group::Contacts;
 use super::scene::Scene;
 use crate::trace::{Header, HeaderError};
-use granlaw::model::{Call, Contact, ClosePair, Response, Surface};
+use granlaw::model::{Call, ClosePair, Contact, Response, Surface};
 use nalgebra::Vector3;
 use std::time::Instant;
 

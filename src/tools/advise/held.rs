@@ -4,7 +4,7 @@
 //! cannot be repeated; what it can carry, and how deep it gets, depends on its laws alone.
 use crate::probe::Pressed;
 use granlaw::chain::Chain;
-use granlaw::model::{Body, Call, Contact, ClosePair, Kind, Response, Surface};
+use granlaw::model::{Body, Call, ClosePair, Contact, Kind, Response, Surface};
 use nalgebra::Vector3;
 
 /// The first and the largest overlap that are tried, relative to what a spring of the largest stiffness of the run would

@@ -2,8 +2,8 @@
 use super::ladder::Rung;
 use super::scene::Scene;
 use crate::trace::{Header, LawSpec, Property};
-use granlaw::model::Kind;
 use granlaw::laws::find;
+use granlaw::model::Kind;
 use serde::Serialize;
 
 /// A line to put into the deck.

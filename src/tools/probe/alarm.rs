@@ -1,7 +1,8 @@
 //! Says when the time step is too long for a contact at hand.
 use super::{Fastest, Follower, Grains};
-use granlaw::critical::{Mode, SAFE, SAFE_BOND};
+use granlaw::critical::{SAFE, SAFE_BOND};
 use granlaw::model::Kind;
+use granlaw::model::Mode;
 
 impl Follower {
     /// A warning in words, when the time step is first found too long for a pair of types; one warning for each pair of types. Chains
@@ -53,8 +54,8 @@ impl Follower {
             }
             let gj = gj.filter(|_| !wall);
             let speed = gi.fastest + gj.map_or(0.0, |g| g.fastest);
-            let swings = gi.sizes(gj).into_iter().flat_map(|size| chain.swings((i, j), &size, speed));
-            let worst = swings.min_by(|a, b| Mode::from(*a).step().total_cmp(&Mode::from(*b).step()));
+            let modes = gi.sizes(gj).into_iter().flat_map(|size| chain.modes((i, j), &size, speed));
+            let worst = modes.min_by(|a, b| a.mode.step().total_cmp(&b.mode.step()));
             let Some(s) = worst.filter(|s| dt > Mode::from(*s).safe_bond()) else { continue };
             told[at] = true;
             let m = Mode::from(s);

@@ -3,8 +3,8 @@ use super::measure::{Answer, Measure, Pair};
 use super::{Compared, Shadow, Worst};
 use crate::trace::{Header, LawSpec, Row, Writer};
 use granlaw::chain::Chain;
-use granlaw::model::Setup;
 use granlaw::laws::find;
+use granlaw::model::Setup;
 
 /// Collects what a rank sees of a run.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! Laws with their numbers, written once, from which both a chain for our own integrations and the lines of a deck are made.
 use granlaw::chain::Chain;
-use granlaw::model::{Entry, Kind, LawError, Settings, Setup, Shape, Support, Values};
 use granlaw::laws::find;
+use granlaw::model::{Entry, Kind, LawError, Settings, Setup, Shape, Support, Values};
 
 /// Laws with the property values and settings that a deck would give them, for one material.
 #[derive(Clone, Debug, Default)]

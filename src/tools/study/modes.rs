@@ -2,8 +2,8 @@
 use super::matter::Matter;
 use super::shot::Shot;
 use granlaw::chain::Chain;
-use granlaw::critical::Mode;
-use granlaw::model::{Call, Contact, ClosePair, Kind, Size, Surface, Observation};
+use granlaw::model::Mode;
+use granlaw::model::{Call, ClosePair, Contact, Kind, Observation, Size, Surface};
 use granlaw::pair::run_while;
 use std::f64::consts::PI;
 

@@ -2,8 +2,8 @@
 use super::matter::Matter;
 use super::shot::{Outcome, Shot};
 use granlaw::lane::{dot, Lanes};
-use granlaw::model::{Body, Call, ForLanes, Law, Setup, Size, Slots, Response, Surface};
 use granlaw::laws::made;
+use granlaw::model::{Body, Call, ForLanes, Law, Response, Setup, Size, Slots, Surface};
 use nalgebra::Vector3;
 
 /// A law in single precision, with a common interface for laws whose coefficients have different types.

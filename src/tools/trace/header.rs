@@ -1,7 +1,7 @@
 //! The head of a trace: where it comes from, and the laws with their coefficients.
 use granlaw::chain::Chain;
-use granlaw::model::{Body, Kind, LawError, Need, Settings, Setup, Slot, Values};
 use granlaw::laws::{find, LAWS};
+use granlaw::model::{Body, Kind, LawError, Need, Settings, Setup, Slot, Values};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -24,7 +24,7 @@ pub use header::{Header, HeaderError, LawSpec, Particle, Property};
 pub use read::Reader;
 pub use write::Writer;
 
-use granlaw::model::{Contact, ClosePair, Response, Surface};
+use granlaw::model::{ClosePair, Contact, Response, Surface};
 use nalgebra::Vector3;
 
 /// The format that this version writes and reads.

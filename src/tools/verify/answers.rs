@@ -6,8 +6,8 @@ use crate::deck::Final;
 use crate::replay::{replay_from, Replay, ReplayError};
 use crate::report::{Case, Check, Curve, Parameter, Shows, Worst};
 use crate::trace::{Header, LawSpec, Property, Reader, Row, TraceError};
-use granlaw::model::Shape;
 use granlaw::laws::find;
+use granlaw::model::Shape;
 use std::path::{Path, PathBuf};
 
 /// Adds laws and coefficients to the case. Returns the number of calls, and of those with overlapping surfaces or a force.

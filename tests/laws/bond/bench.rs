@@ -1,7 +1,7 @@
 //! A bond on its own, with its properties by name.
 use granlaw::chain::Chain;
-use granlaw::model::*;
 use granlaw::laws::find;
+use granlaw::model::*;
 use nalgebra::{Rotation3, Vector3};
 use std::collections::BTreeMap;
 
@@ -103,7 +103,12 @@ impl Driven {
         let body = |tag, x| Body { tag, radius: 5e-4, mass: 1.3e-6, x, ..Body::default() };
         Driven::new(
             deck,
-            ClosePair { i: body(1, delta), j: body(2, Vector3::zeros()), meff: 6.5e-7, ..ClosePair::default() },
+            ClosePair {
+                i: body(1, delta),
+                j: body(2, Vector3::zeros()),
+                meff: 6.5e-7,
+                ..ClosePair::default()
+            },
         )
     }
 
@@ -113,7 +118,13 @@ impl Driven {
         let call = Call { is_wall: true, ..Call::default() };
         Driven::new(
             deck,
-            ClosePair { call, i, j: Body { tag: -1, ..Body::default() }, meff: 1.3e-6, ..ClosePair::default() },
+            ClosePair {
+                call,
+                i,
+                j: Body { tag: -1, ..Body::default() },
+                meff: 1.3e-6,
+                ..ClosePair::default()
+            },
         )
     }
 
@@ -139,7 +150,8 @@ impl Driven {
         g.delta = g.i.x - g.j.x;
         g.rsq = granlaw::lane::dot(&g.delta, &g.delta);
         self.response = Response::default();
-        self.bond_event = self.chain.surfaces_close((0, 0), g, &mut self.history, &mut self.response).bond_event;
+        self.bond_event =
+            self.chain.surfaces_close((0, 0), g, &mut self.history, &mut self.response).bond_event;
     }
 
     /// One step in which i moves with v, and both spin.

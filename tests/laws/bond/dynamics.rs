@@ -1,6 +1,6 @@
 //! Free pairs under a bond, in LIGGGHTS's time integration: momentum, energy, damping, critical steps.
 use super::bench::{Deck, Driven};
-use granlaw::critical::Mode;
+use granlaw::model::Mode;
 use granlaw::model::*;
 use granlaw::pair::{run, states, Opened, Partner, Start, State};
 use nalgebra::{Rotation3, Vector3};
@@ -181,8 +181,8 @@ fn told(deck: &Deck, s: &Start) -> f64 {
     let (massj, radj) = if is_wall { (0.0, 0.0) } else { (j.mass, j.radius) };
     let meff = if is_wall { i.mass } else { i.mass * massj / (i.mass + massj) };
     let size = Size { radi: i.radius, radj, massi: i.mass, massj, frozen: [false; 2], meff, is_wall };
-    let swings = deck.chain().swings((0, 0), &size, 1e-3);
-    swings.into_iter().map(|s| Mode::from(s).step()).fold(f64::INFINITY, f64::min)
+    let modes = deck.chain().modes((0, 0), &size, 1e-3);
+    modes.into_iter().map(|m| m.mode.step()).fold(f64::INFINITY, f64::min)
 }
 
 /// Shear and bending swing together where the bodies differ and at a wall; twist does not.
@@ -225,8 +225,8 @@ fn damping_and_the_speed_of_a_blow_count() {
     let stiffness = |deck: &Deck, name: &str, speed: f64| {
         let body = Body { radius: R[0], mass: M[0], ..Body::default() };
         let size = ClosePair { i: body, j: body, ..ClosePair::default() }.weighed().size();
-        let all = deck.chain().swings((0, 0), &size, speed);
-        all.into_iter().find(|s| s.name == name).expect("a mode").stiffness
+        let all = deck.chain().modes((0, 0), &size, speed);
+        all.into_iter().find(|s| s.name == name).expect("a mode").mode.stiffness
     };
     let (plain, eta) = (Deck::documented().with("dampingBond", "off"), damped(0.2));
     for name in ["compression", "tension", "shear", "twist", "bending"] {

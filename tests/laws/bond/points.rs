@@ -297,7 +297,11 @@ fn point_12_a_new_bond_is_virgin() {
         let spin = Vector3::x() * 600.0;
         (0..80).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));
         pair.place(Vector3::x() * 1.2e-3);
-        assert_eq!((pair.bond_event, pair.response.force), (BondEvent::Ends, Vector3::zeros()), "{convention}");
+        assert_eq!(
+            (pair.bond_event, pair.response.force),
+            (BondEvent::Ends, Vector3::zeros()),
+            "{convention}"
+        );
         pair.place(Vector3::x() * 1.02e-3);
         assert_eq!(pair.bond_event, BondEvent::Begins, "{convention}");
         (0..20).for_each(|_| pair.step(Vector3::zeros(), spin, -spin));

@@ -97,7 +97,8 @@ fn what_turning_costs_is_the_rounding_of_positions() {
 fn a_turned_case_gives_the_turned_run() {
     let at = |q: &Rotation3<f64>| -> Answers {
         let all = states(&mut deck("documented").chain(), &tumbling(q, 4000));
-        let back = |s: &State| [s.response.force, s.response.torque_i, s.response.torque_j].map(|a| q.inverse() * a);
+        let back =
+            |s: &State| [s.response.force, s.response.torque_i, s.response.torque_j].map(|a| q.inverse() * a);
         all.iter().map(back).collect()
     };
     let straight = at(&Rotation3::identity());

@@ -1,7 +1,7 @@
 //! Spheres, chains and impacts for the closed forms.
 use granlaw::chain::Chain;
-use granlaw::model::{Body, Kind, Settings, Setup, Shape, Values};
 use granlaw::laws::find;
+use granlaw::model::{Body, Kind, Settings, Setup, Shape, Values};
 use granlaw::pair::{run, Opened, Partner, Start};
 use nalgebra::Vector3;
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! `cdt_jkr`: its coefficient, both conventions, rolling to rest, inclines, and the limit that ends the chatter.
 use super::bench::{chain, linear_stiffness, near, sphere};
-use granlaw::model::{Body, Call, Contact, ClosePair, Kind, Response};
+use granlaw::model::{Body, Call, ClosePair, Contact, Kind, Response};
 use granlaw::pair::{run, Opened, Partner, Start};
 use nalgebra::Vector3;
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! Single evaluations against the equations worked out here: what an impact alone would not pin down.
 use super::bench::{chain, linear_stiffness, near, sphere, Given};
-use granlaw::model::{Body, Call, Contact, ClosePair, Kind, Response};
+use granlaw::model::{Body, Call, ClosePair, Contact, Kind, Response};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

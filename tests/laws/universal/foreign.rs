@@ -2,8 +2,8 @@
 //! law hands on, keeps a slot that a setting adds, and gives every atom a number.
 use granlaw::chain::Chain;
 use granlaw::lane::Lane;
-use granlaw::model::*;
 use granlaw::laws::find;
+use granlaw::model::*;
 use nalgebra::Vector3;
 
 /// A spring whose adhesion is handed on.
@@ -25,7 +25,13 @@ impl Law for Sticky {
     fn params(k: &f64, _: &Size) -> [f64; 1] {
         [*k]
     }
-    fn surfaces_intersect<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        [k]: &[L; 1],
+        _: &Call,
+        x: &Surface<L>,
+        _: &mut [L; 0],
+        s: &mut Response<L>,
+    ) {
         (s.fn_, s.kn, s.kc, s.fo) = (*k * x.deltan, *k, L::splat(0.5) * *k, *k * x.deltan);
         s.force += x.en * s.fn_;
     }
@@ -52,7 +58,13 @@ impl Law for Grip {
         Ok(())
     }
     fn params(_: &(), _: &Size) {}
-    fn surfaces_intersect<L: Lane>(_: &(), call: &Call, x: &Surface<L>, [n]: &mut [L; 1], s: &mut Response<L>) {
+    fn surfaces_intersect<L: Lane>(
+        _: &(),
+        call: &Call,
+        x: &Surface<L>,
+        [n]: &mut [L; 1],
+        s: &mut Response<L>,
+    ) {
         if call.update {
             *n += L::splat(1.0);
         }
@@ -86,7 +98,7 @@ impl GapLaw for Liquid {
     fn interact(_: &(), _: &ClosePair, _: &mut [f64; 0], _: &mut Response, e: &mut Effects) {
         (e.outputs[0][0], e.outputs[1][0]) = (-2.0, 2.0);
     }
-    fn swings(_: &(), _: &Size, _: f64) -> Vec<Swing> {
+    fn modes(_: &(), _: &Size, _: f64) -> Vec<NamedMode> {
         Vec::new()
     }
     fn observe(_: &(), _: &ClosePair, _: &[f64; 0]) -> Observation {

@@ -1,8 +1,8 @@
 //! Several contacts at once against one by one: every bit, at every width.
 use super::recipe::{chain_of, for_all, Case, Check, Draw, Recipe, Switches};
 use granlaw::lane::{Lane, Lanes, Pack};
-use granlaw::model::*;
 use granlaw::laws::{made, no_history::NoHistory, LAWS};
+use granlaw::model::*;
 use nalgebra::Vector3;
 
 type Outcome = Result<(), String>;

@@ -10,8 +10,8 @@ mod refusals;
 mod rules;
 mod switches;
 
-use granlaw::model::{Kind, Reach, Rule};
 use granlaw::laws::LAWS;
+use granlaw::model::{Kind, Reach, Rule};
 use recipe::{chain_of, chains, for_all, Check, Laws, Switches};
 
 const CASES: u32 = 300;

@@ -11,7 +11,9 @@ fn between(a: &Case, b: &Case, t: f64) -> Case {
     let mix = |a: f64, b: f64| a + (b - a) * t;
     let mix3 = |a: &Vector3<f64>, b: &Vector3<f64>| a + (b - a) * t;
     let mut c = a.clone();
-    for (body, to) in [(&mut c.contact.close.i, b.contact.close.i), (&mut c.contact.close.j, b.contact.close.j)] {
+    for (body, to) in
+        [(&mut c.contact.close.i, b.contact.close.i), (&mut c.contact.close.j, b.contact.close.j)]
+    {
         (body.x, body.v) = (mix3(&body.x, &to.x), mix3(&body.v, &to.v));
         body.omega = mix3(&body.omega, &to.omega);
     }

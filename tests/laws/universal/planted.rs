@@ -76,8 +76,9 @@ fn a_dashpot_that_drives() {
 
 #[test]
 fn friction_that_gives_back_more_than_it_stored() {
-    let fault =
-        Fault::Touch(|x, _, _, s| s.force += x.surface.vtr * (0.5 * s.gammat + 1e-5 * s.kn * x.close.call.dt));
+    let fault = Fault::Touch(|x, _, _, s| {
+        s.force += x.surface.vtr * (0.5 * s.gammat + 1e-5 * s.kn * x.close.call.dt)
+    });
     seen(&["hooke"], fault, paths::cycle, "gives");
 }
 

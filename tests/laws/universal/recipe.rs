@@ -1,7 +1,7 @@
 //! Chains and contacts drawn at random from what the laws say of themselves.
 use granlaw::chain::Chain;
-use granlaw::model::*;
 use granlaw::laws::LAWS;
+use granlaw::model::*;
 use nalgebra::Vector3;
 use proptest::collection::vec;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};

@@ -1,7 +1,7 @@
 //! Set-ups that make no sense, made from what each law says of itself; the message must help.
 use granlaw::chain::Chain;
-use granlaw::model::*;
 use granlaw::laws::LAWS;
+use granlaw::model::*;
 
 /// A refusal whose message holds all of these words.
 pub fn refuses<T>(outcome: Result<T, LawError>, words: &[&str]) -> Result<(), String> {

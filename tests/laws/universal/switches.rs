@@ -1,8 +1,8 @@
 //! hooke/hysteresis at each of its branch switches, from both sides, against the force that the equations give there.
 use super::recipe::{placed, Fault, Recipe, Subject};
 use super::refusals::sound;
-use granlaw::model::*;
 use granlaw::laws::find;
+use granlaw::model::*;
 use nalgebra::Vector3;
 
 /// A pair with k2max/kn = 5, kc/kn = 0.5, φF = 0.05 and no dashpot.

@@ -1,7 +1,7 @@
 //! The plugin's table of LIGGGHTS's own property creators, made from what the laws say of their properties.
 use crate::built::source;
-use granlaw::model::Shape;
 use granlaw::laws::prop::CREATORS;
+use granlaw::model::Shape;
 use std::fmt::Write;
 
 fn table() -> String {

@@ -1,7 +1,7 @@
 //! Help that teaches, and `granlaw laws`.
 use crate::common::Scratch;
-use granlaw::model::Kind;
 use granlaw::laws::LAWS;
+use granlaw::model::Kind;
 use serde_json::Value;
 
 /// The names of all commands, from the help of the program.

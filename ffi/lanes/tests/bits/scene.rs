@@ -1,7 +1,7 @@
 //! A heap of particles with a neighbour list, laid out as LIGGGHTS has it.
 use crate::recipe::Draw;
 use granlaw::chain::Chain;
-use granlaw::model::{Body, Call, Contact, ClosePair, Response};
+use granlaw::model::{Body, Call, ClosePair, Contact, Response};
 use granlaw_lanes::Arrays;
 use nalgebra::Vector3;
 
@@ -268,7 +268,8 @@ impl Scene {
             let x = Contact::pair(ClosePair { call, i: bi, j: bj, delta, rsq, meff });
             let types = (self.kind[i] as usize - 1, self.kind[j] as usize - 1);
             let mut s = Response::default();
-            let marks = chain.surfaces_intersect(types, &x, &mut self.history[self.row * k..][..self.row], &mut s);
+            let marks =
+                chain.surfaces_intersect(types, &x, &mut self.history[self.row * k..][..self.row], &mut s);
             self.flags[k] = (self.flags[k] | marks.set) & !marks.clear;
             for c in 0..3 {
                 self.f[i][c] += s.force[c];

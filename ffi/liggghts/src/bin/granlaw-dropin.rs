@@ -1,6 +1,6 @@
 //! Writes the model headers for a LIGGGHTS that is built from source; `scripts/dropin.sh` calls it.
-use granlaw::model::{Entry, Kind, Meta};
 use granlaw::laws::LAWS;
+use granlaw::model::{Entry, Kind, Meta};
 use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};

@@ -13,7 +13,7 @@ use super::bend::Disc;
 use super::coeffs::Modes;
 use super::loads::Loads;
 use super::{apart, creation, damping, failure, normal, seen_from, twist, Params};
-use crate::model::{Effects, ClosePair, BondEvent, ContactFlag, Response, Observation};
+use crate::model::{BondEvent, ClosePair, ContactFlag, Effects, Observation, Response};
 use bytemuck::{Pod, Zeroable};
 use nalgebra::Vector3;
 

@@ -42,9 +42,9 @@ mod damping;
 mod documented;
 mod failure;
 mod loads;
+mod modes;
 mod normal;
 mod props;
-mod swings;
 mod twist;
 mod upstream;
 
@@ -156,13 +156,16 @@ impl GapLaw for BondNonlinear {
         }
     }
 
-    fn swings(p: &Params, size: &Size, speed: f64) -> Vec<Swing> {
-        swings::of(p, size, speed)
+    fn modes(p: &Params, size: &Size, speed: f64) -> Vec<NamedMode> {
+        modes::of(p, size, speed)
     }
 
     fn observe(p: &Params, x: &ClosePair, h: &[f64]) -> Observation {
         if h[0] == 0.0 || p.c.upstream {
-            return Observation { branch: if h[0] == 0.0 { "unbonded" } else { "bonded" }, ..Observation::default() };
+            return Observation {
+                branch: if h[0] == 0.0 { "unbonded" } else { "bonded" },
+                ..Observation::default()
+            };
         }
         documented::observe(p, x, Memory::see(h))
     }

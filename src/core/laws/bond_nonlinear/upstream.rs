@@ -12,7 +12,7 @@
 use super::coeffs::{Breaks, Line};
 use super::{apart, creation, seen_from, Params};
 use crate::lane::{dot, norm};
-use crate::model::{Effects, ClosePair, BondEvent, ContactFlag, Response};
+use crate::model::{BondEvent, ClosePair, ContactFlag, Effects, Response};
 use bytemuck::{Pod, Zeroable};
 use nalgebra::Vector3;
 

@@ -5,8 +5,8 @@ use crate::study::bond::{Bond, MODES};
 use crate::study::matter::Matter;
 use crate::study::row::{Tied, Way};
 use crate::study::shot::{beads, Rest, Shot};
-use granlaw::critical::Mode;
-use granlaw::model::{ClosePair, Size, Swing};
+use granlaw::model::Mode;
+use granlaw::model::{ClosePair, NamedMode, Size};
 
 const SHOT: Shot = Shot::head_on(5e-4, 2500.0, 0.1);
 /// ClosePair between surfaces when bonds begin \[m\]; no swing of these fields closes it.
@@ -38,22 +38,22 @@ fn chained(beads: usize) -> f64 {
 }
 
 /// The modes of two spheres of a row that meet at `speed` \[m/s\].
-fn swings(matter: &Matter, shot: &Shot, speed: f64) -> Vec<Swing> {
+fn modes(matter: &Matter, shot: &Shot, speed: f64) -> Vec<NamedMode> {
     let all = beads(shot, &shot.tied.expect("a row"));
     let (i, j) = (&all[0], &all[1]);
     let meff = i.mass * j.mass / (i.mass + j.mass);
     let size = ClosePair { i: *i, j: *j, meff, ..ClosePair::default() }.size();
-    matter.chain().expect("a sound bond").swings((0, 0), &size, speed)
+    matter.chain().expect("a sound bond").modes((0, 0), &size, speed)
 }
 
 /// A row of a field. Steps are in units of the mode called `by`; theory uses the fastest mode and the length of the chain.
 fn bonded(param: f64, matter: Matter, shots: Vec<Shot>, by: &str, steps: u64) -> Row {
     let speed = shots.iter().map(|s| s.speed).fold(f64::INFINITY, f64::min);
     let tied = shots[0].tied.expect("a row");
-    let all = swings(&matter, &shots[0], speed);
+    let all = modes(&matter, &shots[0], speed);
     let unit = all.iter().find(|s| s.name == by).expect("a mode");
-    let mode = |s: &Swing, n: f64| Mode { stiffness: n * s.stiffness, ..Mode::from(*s) };
-    let steps_of = |s: &Swing| Mode::from(*s).step();
+    let mode = |m: &NamedMode, n: f64| Mode { stiffness: n * m.mode.stiffness, ..m.mode };
+    let steps_of = |m: &NamedMode| m.mode.step();
     let fastest = all.iter().min_by(|a, b| steps_of(a).total_cmp(&steps_of(b))).expect("a mode");
     let modes = [mode(unit, 1.0), mode(fastest, chained(tied.beads))];
     Row::bonded(param, matter, shots, Scene::Bonded(steps), modes)
@@ -77,9 +77,9 @@ fn hanging(eta: f64, smooth: bool) -> Row {
     let (m, gravity) = (shot.meff(), 1e3);
     let frozen = [false; 2];
     let size = Size { radi: shot.radius, radj: 0.0, massi: m, massj: 0.0, frozen, meff: m, is_wall: true };
-    let swing = straight.chain().expect("a sound bond").swings((0, 0), &size, 1.0)[0];
-    let mode = Mode::from(swing);
-    let sunk = m * gravity * (1.0 + eta) / swing.stiffness;
+    let swing = straight.chain().expect("a sound bond").modes((0, 0), &size, 1.0)[0];
+    let mode = swing.mode;
+    let sunk = m * gravity * (1.0 + eta) / swing.mode.stiffness;
     // It is pulled away from the wall.
     let rest = Some(Rest { gravity: -gravity, sunk, time: 0.0, rolls: false });
     Row::bonded(eta, straight, vec![Shot { rest, ..shot }], Scene::Hang(200), [mode, mode])

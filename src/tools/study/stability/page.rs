@@ -145,7 +145,7 @@ fn in_pi(row: &super::Row) -> f64 {
 /// The critical step of linear theory over the unit of a row.
 fn theory(row: &super::Row) -> f64 {
     let centred = row.matter.settings.iter().any(|(n, o)| *n == "centredDamping" && *o == "on");
-    let step = |m: &granlaw::critical::Mode| if centred { m.step_centred() } else { m.step() };
+    let step = |m: &granlaw::model::Mode| if centred { m.step_centred() } else { m.step() };
     let normal = step(&row.normal) / row.unit();
     let tangential = step(&row.tangential) / row.unit();
     match row.scene {

@@ -5,7 +5,8 @@ use crate::study::matter::Matter;
 use crate::study::modes::{reached, Modes};
 use crate::study::shot::{Outcome, Shot};
 use crate::study::tied;
-use granlaw::critical::{hertz, rayleigh, Mode};
+use granlaw::critical::{hertz, rayleigh};
+use granlaw::model::Mode;
 use granlaw::pair::run_while;
 use std::f64::consts::PI;
 

@@ -2,7 +2,7 @@
 use super::limit::{Asked, Contact, Limit};
 use crate::probe::Grains;
 use granlaw::chain::Chain;
-use granlaw::critical::Mode;
+use granlaw::model::Mode;
 
 /// A kind of bond with its limits; `None` where these types do not bond.
 pub(super) fn of(
@@ -15,8 +15,8 @@ pub(super) fn of(
 ) -> Option<Contact> {
     let kinds = (types[0] - 1, types[1] - 1);
     let looked = gi.sizes(gj).into_iter().map(|size| {
-        let swings = chain.swings(kinds, &size, speed);
-        let limits: Vec<Limit> = swings.into_iter().map(|s| limit(s.name, s.turns, s.into())).collect();
+        let modes = chain.modes(kinds, &size, speed);
+        let limits: Vec<Limit> = modes.into_iter().map(|m| limit(m.name, m.rotational, m.mode)).collect();
         (size, limits)
     });
     let shortest = |limits: &[Limit]| limits.iter().map(|l| l.critical).fold(f64::INFINITY, f64::min);

@@ -7,9 +7,9 @@ use crate::study::modes::{reached, Modes};
 use crate::study::shot::Shot;
 use crate::trace::{Header, LawSpec};
 use granlaw::chain::Chain;
-use granlaw::critical::Mode;
-use granlaw::model::Kind;
 use granlaw::laws::prop;
+use granlaw::model::Kind;
+use granlaw::model::Mode;
 
 /// Every kind of contact of a chain for which there are particles.
 pub(super) fn of_chain(

@@ -1,5 +1,5 @@
 //! The question, and the answer for one kind of contact.
-use granlaw::critical::Mode;
+use granlaw::model::Mode;
 use serde::Serialize;
 
 /// The question.

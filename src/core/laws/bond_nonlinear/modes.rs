@@ -9,22 +9,25 @@
 //! Shear pulls at levers, so where the two bodies differ it swings together with bending:
 //! `ω² = ½(a + b ± √((a−b)² + 4 d² Ks Kb))`, a and b the ω² of each alone, `d = r_ci/Ii − r_cj/Ij`.
 use super::Params;
-use crate::model::{Size, Swing};
+use crate::model::{Mode, NamedMode, Size};
 
 /// All modes that have a stiffness.
-pub fn of(p: &Params, size: &Size, speed: f64) -> Vec<Swing> {
+pub fn of(p: &Params, size: &Size, speed: f64) -> Vec<NamedMode> {
     let (c, m) = (&p.c, size.meff);
-    let swing = |name, stiffness, mass| Swing { name, turns: false, stiffness, mass };
-    let turn = |name, stiffness, mass| Swing { turns: true, ..swing(name, stiffness, mass) };
+    let shift = |name, stiffness, mass| {
+        let mode = Mode { stiffness, mass, damping: 0.0 };
+        NamedMode { name, rotational: false, mode }
+    };
+    let turn = |name, stiffness, mass| NamedMode { rotational: true, ..shift(name, stiffness, mass) };
     let mut all = Vec::new();
     let per = if c.upstream { 1.0 } else { p.area };
     if c.on.normal && p.area > 0.0 {
         let deepest = (0.75 * m * speed * speed / (per * c.compression.k)).powf(2.0 / 3.0);
         let steep = 0.5 * per * c.compression.ku / deepest.sqrt();
-        all.push(swing("compression", (1.0 + c.eta.normal) * steep, m));
+        all.push(shift("compression", (1.0 + c.eta.normal) * steep, m));
     }
     if c.on_tension {
-        all.push(swing("tension", (1.0 + c.eta.normal) * p.area * c.tension.ku, m));
+        all.push(shift("tension", (1.0 + c.eta.normal) * p.area * c.tension.ku, m));
     }
     let (ti, tj) = size.mobilities();
     if c.on.twist {
@@ -33,8 +36,8 @@ pub fn of(p: &Params, size: &Size, speed: f64) -> Vec<Swing> {
     let shear = if c.on.shear { (1.0 + c.eta.shear) * p.area * c.shear } else { 0.0 };
     let bend = if c.on.bend { (1.0 + c.eta.bend) * p.bending * c.bend.ku } else { 0.0 };
     let [ms, mb] = sideways(p, size, shear, bend);
-    all.extend([swing("shear", shear, ms), turn("bending", bend, mb)]);
-    all.retain(|s| s.stiffness > 0.0 && s.stiffness.is_finite());
+    all.extend([shift("shear", shear, ms), turn("bending", bend, mb)]);
+    all.retain(|s| s.mode.stiffness > 0.0 && s.mode.stiffness.is_finite());
     all
 }
 
