@@ -2,20 +2,20 @@
 //!
 //! The machine drifts while it is measured, so what counts are ratios of runs of the same round; the order of the sides
 //! turns round from one round to the next.
-mod clock;
-mod lammps;
+mod account;
 mod page;
 mod run;
 mod text;
 
-pub use lammps::find as lammps;
 pub use page::{load, page};
 pub use run::run;
 pub use text::{summary, table};
 
+use crate::codes::lammps::Lammps;
+use crate::codes::Times;
 use crate::report::page::Spread;
 use crate::report::Outcome;
-use clock::{Account, Clock};
+use account::Account;
 use std::fmt;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -32,7 +32,7 @@ pub struct Options {
     /// Widths of the batched path that are sides of their own.
     pub lanes: Vec<u32>,
     /// LAMMPS, for decks that have a `.lammps` file beside them.
-    pub lammps: Option<PathBuf>,
+    pub lammps: Option<Lammps>,
     /// How long a run may take.
     pub limit: Duration,
     /// The command line.
@@ -78,7 +78,7 @@ pub struct Scene {
     /// One entry per side, stock first.
     pub sides: Vec<Timed>,
     /// Steps, spheres and rebuilds of the measured run; nothing before the first run.
-    clock: Option<Clock>,
+    clock: Option<Times>,
     /// What the batched path said at its end.
     account: Option<Account>,
     /// What the batched path calls its width.
@@ -177,7 +177,7 @@ mod tests {
             title: String::new(),
             ranks: 2,
             sides: vec![timed(Side::Stock, &[1.0, 2.0, 8.0]), timed(Side::Batched, &[0.25, 0.5, 2.0])],
-            clock: Some(Clock { pair: 1.0, whole: 2.0, steps: 10, spheres: 5, builds: 0 }),
+            clock: Some(Times { pair: 1.0, whole: 2.0, steps: 10, particles: 5, builds: 0 }),
             account: Some(Account { passes: 11, contacts: 1100, neighbours: 0, bytes: 0 }),
             lanes: None,
         };

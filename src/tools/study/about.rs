@@ -1,6 +1,6 @@
 //! What stands behind a study's document.
 use super::live::Bench;
-use crate::liggghts::RunError;
+use crate::codes::RunError;
 use crate::report::{About, Check, Outcome, Shows};
 
 /// Programs and machine; without LIGGGHTS, why.
