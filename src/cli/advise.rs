@@ -6,8 +6,9 @@ use granlaw_tools::advise::fresh::fresh;
 use granlaw_tools::advise::rewrite::rewrite;
 use granlaw_tools::advise::seeds::seeds;
 use granlaw_tools::advise::{self, rules, Found, Options, Rung, Scene};
+use granlaw_tools::codes;
+use granlaw_tools::codes::liggghts::{Liggghts, Plugin};
 use granlaw_tools::deck::Deck;
-use granlaw_tools::liggghts::{self, Host, Plugin};
 use granlaw_tools::probe::Probe;
 use granlaw_tools::report::page::{check_page_target, write_page};
 use granlaw_tools::report::About;
@@ -132,10 +133,10 @@ fn is_probe(path: &Path) -> anyhow::Result<bool> {
 
 /// Runs the deck, each time in a folder of its own.
 fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About)> {
-    ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
+    ctrlc::set_handler(codes::interrupt).context("cannot watch for Ctrl-C")?;
     let deck = Deck::read(&args.scene)?;
     let text = read(&args.scene)?;
-    let (host, plugin) = (Host::find()?, Plugin::find()?);
+    let (host, plugin) = (Liggghts::find()?, Plugin::find()?);
     eprintln!("granlaw: plugin {}", plugin.path.display());
     let about = About {
         liggghts: Some(host.version.clone()),

@@ -2,7 +2,9 @@
 use crate::console;
 use anyhow::Context;
 use granlaw_tools::bench::{self, Options};
-use granlaw_tools::liggghts::{self, Host, Plugin};
+use granlaw_tools::codes::lammps::Lammps;
+use granlaw_tools::codes::liggghts::{Liggghts, Plugin};
+use granlaw_tools::codes::{self, RunError};
 use granlaw_tools::report::page::{check_page_target, write_page};
 use indicatif::ProgressBar;
 use std::path::PathBuf;
@@ -52,16 +54,16 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
+    ctrlc::set_handler(codes::interrupt).context("cannot watch for Ctrl-C")?;
     check_page_target(&args.out)?;
-    let (host, plugin) = (Host::find()?, Plugin::find()?);
+    let (host, plugin) = (Liggghts::find()?, Plugin::find()?);
     let all = |numbers: &[u64]| numbers.iter().map(|n| usize::try_from(*n)).collect::<Result<Vec<_>, _>>();
     let options = Options {
         decks: args.decks.clone(),
         pairs: all(&[args.pairs])?[0],
         ranks: all(&args.np)?,
         lanes: args.lanes.iter().map(|n| n.parse()).collect::<Result<_, _>>()?,
-        lammps: bench::lammps(args.lammps.as_deref())?,
+        lammps: lammps(args)?,
         limit: Duration::from_secs_f64(args.time_limit),
         command: std::env::args().collect::<Vec<_>>().join(" "),
     };
@@ -79,4 +81,12 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     write_page(&page, &args.out)?;
     console::print(&format!("\n{}{}\n", bench::summary(&scenes), args.out.join("index.html").display()));
     Ok(ExitCode::from(page.exit_code()))
+}
+
+/// LAMMPS, which need not be there unless it is named.
+fn lammps(args: &Args) -> Result<Option<Lammps>, RunError> {
+    match Lammps::find(args.lammps.as_deref()) {
+        Err(RunError::NoProgram { .. }) => Ok(None),
+        found => found.map(Some),
+    }
 }

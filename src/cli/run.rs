@@ -1,7 +1,8 @@
 //! `granlaw run`: LIGGGHTS with the plugin.
 use crate::console;
 use anyhow::{bail, Context};
-use granlaw_tools::liggghts::{Host, Laws, Plugin, Preload, Route};
+use granlaw_tools::codes::liggghts::{Laws, Liggghts, Plugin, Preload, Route};
+use granlaw_tools::codes::{self, Around};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -10,7 +11,8 @@ use std::process::ExitCode;
 ///
 /// LIGGGHTS runs in this folder, in place of granlaw: input, output, exit status, Ctrl-C and signals are its own.
 /// Without --laws the names ending in `/rs` are ours and all others LIGGGHTS's own; --record then implies --laws stock,
-/// which is the same with LIGGGHTS's laws where they can be recorded.
+/// which is the same with LIGGGHTS's laws where they can be recorded. What the environment tells the plugin counts
+/// (README has the list), and options win over it.
 ///
 /// With --shadow the run is LIGGGHTS's own to the last bit, and in every contact call the Rust laws answer too, from the
 /// same inputs. What differs is told at the end, and the exit status is then 3; it is 2 if no call could be compared.
@@ -29,10 +31,9 @@ pub struct Args {
     /// Record contact calls to this file; wall and rank are put before its extension.
     #[arg(long, value_name = "TRACE")]
     record: Option<PathBuf>,
-    /// Record only every N-th step.
-    #[arg(long, value_name = "N", default_value_t = 1, requires = "record",
-        value_parser = clap::value_parser!(u64).range(1..))]
-    every: u64,
+    /// Record only every N-th step; by default all.
+    #[arg(long, value_name = "N", requires = "record", value_parser = clap::value_parser!(u64).range(1..))]
+    every: Option<u64>,
     /// How the pair style goes through the contacts of a step. Without it: batched where that is possible.
     #[arg(long, value_enum)]
     path: Option<Way>,
@@ -43,8 +44,8 @@ pub struct Args {
     #[arg(long)]
     shadow: bool,
     /// Largest difference allowed, relative to the forces that the laws add up in a call. By default 0, as the laws are meant to agree to the last bit.
-    #[arg(long, value_name = "ERROR", default_value_t = 0.0, requires = "shadow", value_parser = console::tolerance)]
-    tolerance: f64,
+    #[arg(long, value_name = "ERROR", requires = "shadow", value_parser = console::tolerance)]
+    tolerance: Option<f64>,
     /// Say once for each pair of types when the time step is too long for a contact or a bond, with the figures; contacts then go one by one.
     #[arg(long)]
     warn_timestep: bool,
@@ -75,7 +76,7 @@ enum Way {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let deck = deck(&args.liggghts)?;
     let plugin = Plugin::find()?;
-    let host = Host::find()?;
+    let host = Liggghts::find()?;
     for (option, path) in [("--record", &args.record), ("--probe", &args.probe)] {
         let Some(path) = path else { continue };
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -83,33 +84,33 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
             bail!("{option} {}: there is no folder {}; make it first", path.display(), folder.display());
         }
     }
-    let watched = args.record.is_some() || args.probe.is_some() || args.shadow || args.warn_timestep;
-    let laws = match args.laws {
-        // LIGGGHTS's own laws can be watched only where they run in our chain.
-        None if watched => Laws::Stock,
-        None => Laws::Own,
-        Some(Whose::Rust) if args.shadow => {
-            bail!("--shadow runs LIGGGHTS's own laws, with the Rust laws beside them; leave --laws rust out")
-        }
-        Some(Whose::Rust) => Laws::Rust,
-        Some(Whose::Stock) => Laws::Stock,
-    };
+    if args.shadow && matches!(args.laws, Some(Whose::Rust)) {
+        bail!("--shadow runs LIGGGHTS's own laws, with the Rust laws beside them; leave --laws rust out");
+    }
+    let laws = args.laws.map(|whose| match whose {
+        Whose::Rust => Laws::Rust,
+        Whose::Stock => Laws::Stock,
+    });
     let route = args.path.map(|way| match way {
         Way::Batched => Route::Batched,
         Way::Contact => Route::Contact,
     });
     eprintln!("granlaw: plugin {}", plugin.path.display());
     let preload = Preload {
+        laws,
         record: args.record.clone(),
         every: args.every,
         probe: args.probe.clone(),
-        shadow: args.shadow.then_some(args.tolerance),
+        shadow: args.shadow,
+        tolerance: args.tolerance,
         deck,
         alarm: args.warn_timestep,
         route,
-        ..Preload::new(&plugin, laws)
+        ..Preload::bare(&plugin)
     };
-    let mut command = host.command(usize::try_from(args.np)?, &preload.env())?;
+    // This is the user's own run, in his own environment.
+    let ranks = usize::try_from(args.np)?;
+    let mut command = codes::command(&host.program, ranks, Around::Users, &preload.env())?;
     command.args(&args.liggghts);
     // This process becomes LIGGGHTS, so that no signal or exit status can be lost in between.
     let failed = command.exec();

@@ -2,7 +2,7 @@
 use crate::console;
 use anyhow::Context;
 use clap::builder::PossibleValuesParser;
-use granlaw_tools::liggghts;
+use granlaw_tools::codes;
 use granlaw_tools::report::page::{check_page_target, write_page, Page};
 use granlaw_tools::report::Outcome;
 use granlaw_tools::study::live::Bench;
@@ -50,7 +50,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
 
 /// The options of a study, with LIGGGHTS and the plugin if they are found.
 pub fn options(only: &[String], full: bool) -> anyhow::Result<Options> {
-    ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
+    ctrlc::set_handler(codes::interrupt).context("cannot watch for Ctrl-C")?;
     let bench = Bench::find(Duration::from_secs(120));
     if let Err(e) = &bench {
         eprintln!("granlaw: nothing runs in LIGGGHTS: {e}");

@@ -1,9 +1,9 @@
 //! `granlaw timestep`: how long the time step of a deck may be.
 use crate::console;
 use anyhow::{bail, Context};
+use granlaw_tools::codes;
+use granlaw_tools::codes::liggghts::{resolve, Liggghts, Plugin};
 use granlaw_tools::deck::Deck;
-use granlaw_tools::liggghts::{self, Folder, Host, Laws, Plugin, Preload};
-use granlaw_tools::probe::Probe;
 use granlaw_tools::study::timestep::{advise, Advice, Asked, Contact, Limit};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -53,8 +53,10 @@ fn above_zero(text: &str) -> Result<f64, String> {
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
-    let probe = watch(args)?;
+    ctrlc::set_handler(codes::interrupt).context("cannot watch for Ctrl-C")?;
+    let deck = Deck::read(&args.deck)?;
+    let (host, plugin) = (Liggghts::find()?, Plugin::find()?);
+    let probe = resolve(&host, &plugin, &deck, args.steps, Duration::from_secs_f64(args.time_limit))?;
     let asked = Asked { accuracy: args.accuracy, speed: args.speed, bonds: args.bonds };
     let advice = advise(&probe, &asked);
     let Some(recommended) = advice.recommended() else {
@@ -65,23 +67,6 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         false => console::print(&told(&args.deck, &advice)),
     }
     Ok(ExitCode::from(u8::from(advice.dt > recommended)))
-}
-
-/// Runs the first steps of the deck with a probe.
-fn watch(args: &Args) -> anyhow::Result<Probe> {
-    let deck = Deck::read(&args.deck)?;
-    let (host, plugin) = (Host::find()?, Plugin::find()?);
-    let limit = Duration::from_secs_f64(args.time_limit);
-    let folder = Folder::new(&deck)?;
-    if let Some(after) = &deck.after {
-        let before = Deck::read(&deck.folder().join(&after.deck))?;
-        folder.run(&host, &before, Some(&Preload::new(&plugin, Laws::Own)), limit)?;
-    }
-    let path = folder.path().join("granlaw-probe.json");
-    let preload =
-        Preload { probe: Some(path.clone()), steps: Some(args.steps), ..Preload::new(&plugin, Laws::Stock) };
-    folder.run(&host, &deck, Some(&preload), limit)?;
-    Ok(Probe::read(&path)?)
 }
 
 fn told(deck: &Path, a: &Advice) -> String {

@@ -1,7 +1,7 @@
 //! `granlaw verify`: decks in, a verdict on each out.
 use crate::console;
 use anyhow::Context;
-use granlaw_tools::liggghts;
+use granlaw_tools::codes;
 use granlaw_tools::report::{self, Case, Check, Counts, Outcome, Report};
 use granlaw_tools::verify::{Options, Plan};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -41,6 +41,10 @@ pub struct Args {
     /// Stop a run that takes longer than this.
     #[arg(long, value_name = "SECONDS", default_value_t = 120.0, value_parser = console::seconds)]
     time_limit: f64,
+    /// How many contacts of the Rust laws go side by side. Two particles alone would go one at a time, and what the processor
+    /// can is to be proved too.
+    #[arg(long, value_name = "N", default_value = "widest", value_parser = ["1", "4", "8", "widest"])]
+    lanes: String,
     /// Refuse to go on without LIGGGHTS and plugin.
     #[arg(long)]
     require_liggghts: bool,
@@ -52,13 +56,14 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
 }
 
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    ctrlc::set_handler(liggghts::interrupt).context("cannot watch for Ctrl-C")?;
+    ctrlc::set_handler(codes::interrupt).context("cannot watch for Ctrl-C")?;
     report::check_target(&args.out)?;
     let plan = Plan::new(Options {
         decks: args.decks.clone(),
         jobs: args.jobs,
         shard: args.shard,
         limit: Duration::from_secs_f64(args.time_limit),
+        lanes: args.lanes.clone(),
         require_liggghts: args.require_liggghts,
         command: std::env::args().collect::<Vec<_>>().join(" "),
     })?;

@@ -1,7 +1,7 @@
 //! What proves granlaw's laws right, and says what they cost. Made for the command line, the plugin and the tests: laws and
 //! chains, which others link, are the crate `granlaw`.
 //!
-//! The rooms: [`deck`] reads what a LIGGGHTS input asks to be checked, [`liggghts`] runs it, [`trace`] keeps what LIGGGHTS
+//! The rooms: [`deck`] reads what a LIGGGHTS input asks to be checked, [`codes`] run it, [`trace`] keeps what LIGGGHTS
 //! did, [`replay`] does that again with the laws here, [`probe`] counts what the contacts of a scene do, [`shadow`] holds
 //! every call of a run against LIGGGHTS's own laws, [`compare`] says where two answers differ, [`verify`] puts all that
 //! together, [`study`] maps accuracy and stability, [`advise`] tries simpler models, [`bench`] says what it costs,
@@ -11,9 +11,9 @@
 
 pub mod advise;
 pub mod bench;
+pub mod codes;
 pub mod compare;
 pub mod deck;
-pub mod liggghts;
 pub mod probe;
 pub mod replay;
 pub mod report;

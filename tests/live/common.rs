@@ -1,6 +1,8 @@
 //! What the tests on the real LIGGGHTS share: whether it is here, decks, scratch folders, and what granlaw said.
 use crate::built::{built, here};
-use granlaw_tools::liggghts::{Host, Plugin, RunError};
+use granlaw_tools::codes::environment::VARIABLES;
+use granlaw_tools::codes::liggghts::{Liggghts, Plugin};
+use granlaw_tools::codes::RunError;
 use rustix::process::{kill_process, Pid, Signal};
 use serde_json::Value;
 use std::fs;
@@ -15,7 +17,8 @@ pub fn program() -> &'static Path {
 
 /// Whether LIGGGHTS and its headers are here.
 pub fn live(test: &str) -> bool {
-    static MISSING: LazyLock<Option<RunError>> = LazyLock::new(|| Host::find().and_then(|_| plugin()).err());
+    static MISSING: LazyLock<Option<RunError>> =
+        LazyLock::new(|| Liggghts::find().and_then(|_| plugin()).err());
     here(test, MISSING.is_none(), &MISSING.as_ref().map(ToString::to_string).unwrap_or_default())
 }
 
@@ -70,23 +73,9 @@ impl Scratch {
     /// A command that runs here, with nothing in its environment that speaks to granlaw.
     pub fn command(&self, program: &Path) -> Command {
         let mut command = Command::new(program);
-        for name in [
-            "PLUGIN",
-            "LAWS",
-            "RECORD",
-            "EVERY",
-            "DECK",
-            "PATH",
-            "LANES",
-            "PROBE",
-            "FOLLOW",
-            "STEPS",
-            "TIMESTEP",
-            "SHADOW",
-            "TOLERANCE",
-        ] {
-            command.env_remove(format!("GRANLAW_{name}"));
-        }
+        VARIABLES.iter().for_each(|v| {
+            command.env_remove(v.name);
+        });
         // Ranks that wait would take the processors from those that work.
         command.env("OMPI_MCA_mpi_yield_when_idle", "1");
         command.current_dir(self.dir.path()).env("TMPDIR", self.path("tmp"));

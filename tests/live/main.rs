@@ -9,6 +9,7 @@ mod cli;
 mod common;
 mod decks;
 mod dropin;
+mod environment;
 mod install;
 mod probe;
 mod refusals;

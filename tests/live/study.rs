@@ -1,7 +1,7 @@
 //! Studies of LIGGGHTS itself: the settings raise its order, and it does what the maps say.
 use crate::built::{built, here};
 use granlaw::critical::rayleigh;
-use granlaw_tools::liggghts::{Host, Plugin};
+use granlaw_tools::codes::liggghts::{Liggghts, Plugin};
 use granlaw_tools::study::live::{Bench, Who};
 use granlaw_tools::study::shot::Shot;
 use granlaw_tools::study::speed::{cases, Method, Truth};
@@ -10,7 +10,7 @@ use std::time::Duration;
 
 /// LIGGGHTS and the plugin of this source, or a skip that is seen.
 fn bench(test: &str) -> Option<Bench> {
-    let host = match Host::find() {
+    let host = match Liggghts::find() {
         Ok(host) => host,
         Err(e) => {
             here(test, false, &e.to_string());

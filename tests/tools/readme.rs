@@ -1,5 +1,6 @@
 //! What the README says of the code is what the code says of itself.
 use granlaw::laws::table::markdown;
+use granlaw_tools::codes::environment::{passed_on_markdown, variables_markdown};
 use granlaw_tools::trace::columns_markdown;
 use std::ops::Range;
 use std::path::Path;
@@ -33,6 +34,12 @@ fn the_table_of_laws_is_made_from_the_laws() {
 #[test]
 fn the_table_of_columns_is_made_from_the_columns() {
     check("columns", &columns_markdown());
+}
+
+#[test]
+fn the_tables_of_the_environment_are_made_from_its_lists() {
+    check("environment", &variables_markdown());
+    check("passed on", &passed_on_markdown());
 }
 
 #[test]

@@ -2,8 +2,9 @@
 use super::bulk::{compare, Observable};
 use super::ladder::Rung;
 use super::rewrite::RewriteError;
+use crate::codes::liggghts::{Laws, Liggghts, Plugin, Preload};
+use crate::codes::{run, Folder, Ran, Run, RunError};
 use crate::deck::Deck;
-use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
 use crate::probe::{Probe, ProbeError};
 use crate::trace::{Header, LawSpec};
 use rayon::prelude::*;
@@ -66,7 +67,7 @@ pub enum CheckError {
 /// Runs a deck, and changed versions of it.
 pub struct Runner<'a> {
     /// LIGGGHTS.
-    pub host: &'a Host,
+    pub host: &'a Liggghts,
     /// The plugin.
     pub plugin: &'a Plugin,
     /// The deck; the files beside it are there in each run.
@@ -83,8 +84,9 @@ impl Runner<'_> {
     pub fn probe(&self, text: &str, closely: bool) -> Result<Probe, CheckError> {
         let folder = self.folder(text)?;
         let path = folder.path().join("granlaw-probe.json");
-        let preload = Preload { laws: Laws::Stock, probe: Some(path.clone()), closely, ..self.preload() };
-        folder.run(self.host, self.deck, Some(&preload), self.limit)?;
+        let preload =
+            Preload { laws: Some(Laws::Stock), probe: Some(path.clone()), closely, ..self.preload() };
+        self.run(&preload, &folder)?;
         Ok(Probe::read(&path)?)
     }
 
@@ -104,7 +106,11 @@ impl Runner<'_> {
     /// # Errors
     /// The run fails.
     pub fn time(&self, text: &str) -> Result<f64, CheckError> {
-        Ok(self.folder(text)?.run(self.host, self.deck, Some(&self.preload()), self.limit)?.seconds)
+        Ok(self.run(&self.preload(), &self.folder(text)?)?.seconds)
+    }
+
+    fn run(&self, preload: &Preload<'_>, folder: &Folder) -> Result<Ran, RunError> {
+        run(self.host, &Run { deck: self.deck, environment: preload.env(), limit: self.limit }, folder)
     }
 
     fn folder(&self, text: &str) -> Result<Folder, CheckError> {

@@ -2,14 +2,12 @@
 //!
 //! The speed of a machine drifts, so only runs of the same round are compared, as ratios. The order of the sides is reversed from
 //! one round to the next.
-mod clock;
-mod lammps;
+mod account;
 mod page;
 mod run;
 mod scene;
 mod text;
 
-pub use lammps::find as lammps;
 pub use page::{load, page};
 pub use run::run;
 pub use scene::{Options, Scene, Side, Timed};

@@ -1,12 +1,18 @@
 //! The document of a benchmark.
 use super::scene::{quartiles, Options, Scene, Side, Timed};
-use crate::liggghts::{Host, Plugin};
+use crate::codes::liggghts::{Liggghts, Plugin};
+use crate::codes::Code;
 use crate::report::page::{Bars, Cell, Group, Item, Page, Section, Spread, Table};
 use crate::report::{About, Check, Outcome, Shows, Tolerance};
 use std::fs;
 
 /// Everything that was measured, as a document.
-pub fn page(scenes: &[Scene], options: &Options, (host, plugin): (&Host, &Plugin), load: [f64; 2]) -> Page {
+pub fn page(
+    scenes: &[Scene],
+    options: &Options,
+    (host, plugin): (&Liggghts, &Plugin),
+    load: [f64; 2],
+) -> Page {
     Page {
         program: "granlaw bench".into(),
         headline: headline(scenes),
@@ -40,11 +46,12 @@ fn headline(scenes: &[Scene]) -> String {
     }
 }
 
-fn about(scenes: &[Scene], options: &Options, (host, plugin): (&Host, &Plugin), load: [f64; 2]) -> About {
+fn about(scenes: &[Scene], options: &Options, (host, plugin): (&Liggghts, &Plugin), load: [f64; 2]) -> About {
     let mut lanes: Vec<_> = scenes.iter().filter_map(|s| s.lanes.clone()).collect();
     lanes.dedup();
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let mut notes: Vec<_> = lanes.iter().map(|l| format!("batched is {l}")).collect();
+    notes.extend(options.lammps.iter().map(|l| format!("{} {}", l.name(), l.version())));
     notes.push(format!("load of the machine: {:.2} at the beginning, {:.2} at the end", load[0], load[1]));
     About {
         granlaw: env!("CARGO_PKG_VERSION").into(),
@@ -211,7 +218,7 @@ fn facts(scenes: &[Scene]) -> Table {
             s.name.clone().into(),
             s.title.clone().into(),
             Cell::Count(s.ranks as u64),
-            count(clock.map(|c| c.spheres)),
+            count(clock.map(|c| c.particles)),
             count(clock.map(|c| c.steps)),
             count(s.contacts().map(|n| n.round() as u64)),
             count(account.map(|a| a.neighbours)),

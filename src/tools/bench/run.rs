@@ -1,11 +1,13 @@
 //! The runs, round by round.
-use super::clock::{lanes, Account, Clock};
-use super::{lammps, Options, Scene, Side, Timed};
+use super::account::{lanes, Account};
+use super::{Options, Scene, Side, Timed};
+use crate::codes::liggghts::{Laws, Liggghts, Plugin, Preload, Route};
+use crate::codes::{self, Code, Folder, Ran, Run, RunError, Times};
 use crate::compare;
 use crate::deck::{Deck, DeckError};
-use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, Ran, Route, RunError, LOG};
 use crate::report::Outcome;
 use std::fs;
+use std::path::{Path, PathBuf};
 
 /// What a deck says where its two sides are not the same law; it sees its side in the variable `rust`, 0 or 1.
 const DIFFERS: &str = "# bench: dumps differ";
@@ -18,7 +20,6 @@ const NO_BATCH: &str = "the batched path was asked for and cannot be taken: ";
 struct Done {
     folder: Folder,
     ran: Ran,
-    log: String,
 }
 
 /// Measures all decks; `done` is told of each scene as it ends, `doing` of each run as it begins.
@@ -27,7 +28,7 @@ struct Done {
 /// A deck that cannot be read, or an interruption. What goes wrong in a run is told in its [`Timed::outcome`].
 pub fn run(
     options: &Options,
-    (host, plugin): (&Host, &Plugin),
+    (host, plugin): (&Liggghts, &Plugin),
     doing: &dyn Fn(&str),
     done: &dyn Fn(&Scene),
 ) -> Result<Vec<Scene>, RunError> {
@@ -56,7 +57,7 @@ pub fn run(
 /// A scene on its way.
 struct Job<'a> {
     options: &'a Options,
-    host: &'a Host,
+    host: &'a Liggghts,
     plugin: &'a Plugin,
     deck: Deck,
     /// Whether all sides must write the same.
@@ -69,10 +70,10 @@ struct Job<'a> {
 }
 
 impl<'a> Job<'a> {
-    fn new(options: &'a Options, host: &'a Host, plugin: &'a Plugin, deck: Deck) -> Job<'a> {
+    fn new(options: &'a Options, host: &'a Liggghts, plugin: &'a Plugin, deck: Deck) -> Job<'a> {
         let mut sides = vec![Side::Stock, Side::Contact, Side::Batched];
         sides.extend(options.lanes.iter().map(|n| Side::Lanes(*n)));
-        if options.lammps.is_some() && deck.ranks == 1 && lammps::scene(&deck.path).is_file() {
+        if options.lammps.is_some() && deck.ranks == 1 && for_lammps(&deck.path).is_file() {
             sides.push(Side::Lammps);
         }
         let text = fs::read_to_string(&deck.path).unwrap_or_default();
@@ -117,13 +118,11 @@ impl<'a> Job<'a> {
 
     /// One run of a side.
     fn turn(&mut self, k: usize, side: Side) -> Result<(), RunError> {
-        let outcome = match side {
-            Side::Lammps => self.lammps(k),
-            _ => match self.attempt(side) {
-                Err(RunError::Interrupted) => return Err(RunError::Interrupted),
-                Err(e) => failure(&e),
-                Ok(done) => self.judge(k, side, done),
-            },
+        let outcome = match self.attempt(side) {
+            Err(RunError::Interrupted) => return Err(RunError::Interrupted),
+            Err(e) if side == Side::Lammps => Outcome::CouldNotRun(format!("LAMMPS failed: {e}")),
+            Err(e) => failure(&e),
+            Ok(done) => self.judge(k, side, done),
         };
         self.scene.sides[k].outcome = outcome;
         if side == Side::Stock && self.first.is_none() {
@@ -134,6 +133,27 @@ impl<'a> Job<'a> {
     }
 
     fn attempt(&self, side: Side) -> Result<Done, RunError> {
+        match &self.options.lammps {
+            Some(lammps) if side == Side::Lammps => {
+                let deck = Deck { path: for_lammps(&self.deck.path), ..self.deck.clone() };
+                self.run(lammps, &deck, Vec::new())
+            }
+            _ => self.liggghts(side),
+        }
+    }
+
+    fn run(
+        &self,
+        code: &dyn Code,
+        deck: &Deck,
+        environment: Vec<(&'static str, String)>,
+    ) -> Result<Done, RunError> {
+        let folder = Folder::new(deck)?;
+        let ran = codes::run(code, &Run { deck, environment, limit: self.options.limit }, &folder)?;
+        Ok(Done { ran, folder })
+    }
+
+    fn liggghts(&self, side: Side) -> Result<Done, RunError> {
         let batched = Some(Route::Batched);
         let (route, lanes) = match side {
             Side::Stock | Side::Contact => (Some(Route::Contact), None),
@@ -144,26 +164,26 @@ impl<'a> Job<'a> {
             Preload { deck: Some(self.deck.file()), route, lanes, ..Preload::new(self.plugin, Laws::Rust) };
         let rust = side != Side::Stock;
         let deck = Deck { variables: vec![("rust".into(), u8::from(rust).to_string())], ..self.deck.clone() };
-        let folder = Folder::new(&deck)?;
-        let ran =
-            folder.run(self.host, &deck, (rust || self.ours).then_some(&preload), self.options.limit)?;
-        let log = fs::read(folder.path().join(LOG)).unwrap_or_default();
-        Ok(Done { ran, log: String::from_utf8_lossy(&log).into_owned(), folder })
+        self.run(self.host, &deck, if rust || self.ours { preload.env() } else { Vec::new() })
     }
 
     /// Takes down the times of a run and compares what it wrote.
     fn judge(&mut self, k: usize, side: Side, done: Done) -> Outcome {
-        let Some(clock) = Clock::read(&done.log) else {
-            return Outcome::CouldNotRun(
-                "LIGGGHTS printed no times; does the deck have a run command?".into(),
-            );
+        let Some(clock) = Times::longest(&done.ran.times) else {
+            return Outcome::CouldNotRun(match side {
+                Side::Lammps => "LAMMPS printed no times".into(),
+                _ => "LIGGGHTS printed no times; does the deck have a run command?".into(),
+            });
         };
         let timed = &mut self.scene.sides[k];
         timed.pair.push(clock.pair);
         timed.whole.push(clock.whole);
+        if side == Side::Lammps {
+            return Outcome::Skipped("not compared: a law of its own".into());
+        }
         if side == Side::Batched {
-            self.scene.account = Account::read(&done.log).or(self.scene.account);
-            self.scene.lanes = lanes(&done.log).or(self.scene.lanes.take());
+            self.scene.account = Account::read(&done.ran.log).or(self.scene.account);
+            self.scene.lanes = lanes(&done.ran.log).or(self.scene.lanes.take());
         }
         let Some(first) = &self.first else {
             self.scene.clock = Some(clock);
@@ -178,21 +198,11 @@ impl<'a> Job<'a> {
             false => Outcome::Skipped("not compared: the deck sets one law against another".into()),
         }
     }
+}
 
-    fn lammps(&mut self, k: usize) -> Outcome {
-        let Some(program) = &self.options.lammps else {
-            return Outcome::Skipped("there is no LAMMPS".into());
-        };
-        match lammps::time(program, &lammps::scene(&self.deck.path), self.options.limit) {
-            Err(why) => Outcome::CouldNotRun(why),
-            Ok(clock) => {
-                let timed = &mut self.scene.sides[k];
-                timed.pair.push(clock.pair);
-                timed.whole.push(clock.whole);
-                Outcome::Skipped("not compared: a law of its own".into())
-            }
-        }
-    }
+/// The scene for LAMMPS that belongs to a deck.
+fn for_lammps(deck: &Path) -> PathBuf {
+    deck.with_extension("lammps")
 }
 
 fn failure(error: &RunError) -> Outcome {

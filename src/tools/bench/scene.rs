@@ -1,5 +1,7 @@
 //! What is measured: decks, the sides that run them, and the times of their runs.
-use super::clock::{Account, Clock};
+use super::account::Account;
+use crate::codes::lammps::Lammps;
+use crate::codes::Times;
 use crate::report::page::Spread;
 use crate::report::Outcome;
 use std::fmt;
@@ -18,7 +20,7 @@ pub struct Options {
     /// Widths of the batched path that are measured as sides of their own.
     pub lanes: Vec<u32>,
     /// LAMMPS, for decks that have a `.lammps` file beside them.
-    pub lammps: Option<PathBuf>,
+    pub lammps: Option<Lammps>,
     /// How long a run may take.
     pub limit: Duration,
     /// The command line.
@@ -64,7 +66,7 @@ pub struct Scene {
     /// One entry per side, stock first.
     pub sides: Vec<Timed>,
     /// Steps, spheres and rebuilds of the measured run; nothing before the first run.
-    pub(super) clock: Option<Clock>,
+    pub(super) clock: Option<Times>,
     /// The counts that the batched path prints at its end.
     pub(super) account: Option<Account>,
     /// The name that the batched path gives its width.
@@ -163,7 +165,7 @@ mod tests {
             title: String::new(),
             ranks: 2,
             sides: vec![timed(Side::Stock, &[1.0, 2.0, 8.0]), timed(Side::Batched, &[0.25, 0.5, 2.0])],
-            clock: Some(Clock { pair: 1.0, whole: 2.0, steps: 10, spheres: 5, builds: 0 }),
+            clock: Some(Times { pair: 1.0, whole: 2.0, steps: 10, particles: 5, builds: 0 }),
             account: Some(Account { passes: 11, contacts: 1100, neighbours: 0, bytes: 0 }),
             lanes: None,
         };

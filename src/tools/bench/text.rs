@@ -36,7 +36,7 @@ pub fn table(scene: &Scene) -> String {
 fn facts(scene: &Scene) -> String {
     let mut facts = Vec::new();
     if let Some(c) = scene.clock {
-        facts.push(format!("{} spheres, {} steps, {} rebuilds", c.spheres, c.steps, c.builds));
+        facts.push(format!("{} spheres, {} steps, {} rebuilds", c.particles, c.steps, c.builds));
     }
     facts.extend(scene.contacts().map(|n| format!("{n:.0} contacts a step")));
     facts.extend(scene.memory().map(|n| format!("{n:.0} bytes per neighbour")));

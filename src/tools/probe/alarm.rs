@@ -56,9 +56,9 @@ impl Follower {
             let speed = gi.fastest + gj.map_or(0.0, |g| g.fastest);
             let modes = gi.sizes(gj).into_iter().flat_map(|size| chain.modes((i, j), &size, speed));
             let worst = modes.min_by(|a, b| a.mode.step().total_cmp(&b.mode.step()));
-            let Some(s) = worst.filter(|s| dt > Mode::from(*s).safe_bond()) else { continue };
+            let Some(s) = worst.filter(|s| dt > s.mode.safe_bond()) else { continue };
             told[at] = true;
-            let m = Mode::from(s);
+            let m = s.mode;
             return Some(format!(
                 "the time step of {dt:.3e} is too long for {keyword}, {who}, types {}-{}: {} of one bond alone can create energy beyond \
                  {:.3e} ({SAFE_BOND} pi/omega) and is unstable beyond {:.3e}, and several on a particle sooner; said once. \

@@ -1,6 +1,6 @@
 //! The programs behind a study's document.
 use super::live::Bench;
-use crate::liggghts::RunError;
+use crate::codes::RunError;
 use crate::report::{About, Check, Outcome, Shows};
 
 /// Programs and machine; if LIGGGHTS was not used, the reason.

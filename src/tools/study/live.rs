@@ -2,9 +2,10 @@
 use super::matter::{Matter, Names};
 use super::shot::{Outcome, Shot};
 use super::tied::{ahead, every};
+use crate::codes::liggghts::{Laws, Liggghts, Plugin, Preload};
+use crate::codes::{run, Folder, Ran, Run, RunError};
 use crate::compare::{CompareError, Frame};
 use crate::deck::{Deck, DeckError};
-use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
 use granlaw::model::Body;
 use nalgebra::Vector3;
 use std::path::PathBuf;
@@ -40,7 +41,7 @@ pub enum LiveError {
 #[derive(Debug)]
 pub struct Bench {
     /// The program.
-    pub host: Host,
+    pub host: Liggghts,
     /// The plugin.
     pub plugin: Plugin,
     /// How long a run may take.
@@ -74,7 +75,7 @@ impl Bench {
     /// # Errors
     /// If LIGGGHTS or the plugin is missing.
     pub fn find(limit: Duration) -> Result<Bench, RunError> {
-        Ok(Bench { host: Host::find()?, plugin: Plugin::find()?, limit })
+        Ok(Bench { host: Liggghts::find()?, plugin: Plugin::find()?, limit })
     }
 
     /// Shots at different phases of first touch (`before` steps ahead), all in one run of `steps` steps of `dt` \[s\]: what
@@ -133,26 +134,24 @@ impl Bench {
     fn frames(&self, text: &str, who: Who) -> Result<Vec<Frame>, LiveError> {
         let (folder, ran) = self.start(text, who)?;
         let dump = ran.dumps.first().ok_or(LiveError::NoDump)?;
-        let mut all = Vec::new();
-        Frame::each(&folder.path().join(dump), |frame| all.push(frame))?;
-        Ok(all)
+        Ok(folder.frames(dump)?)
     }
 
     /// Run a deck; what it wrote is in the folder.
     ///
     /// # Errors
     /// If LIGGGHTS fails.
-    pub fn start(&self, text: &str, who: Who) -> Result<(Folder, crate::liggghts::Ran), LiveError> {
-        let place =
-            tempfile::tempdir().map_err(|source| LiveError::Io { path: std::env::temp_dir(), source })?;
-        let path = place.path().join("contacts.in");
+    pub fn start(&self, text: &str, who: Who) -> Result<(Folder, Ran), LiveError> {
+        let folder = Folder::empty()?;
+        let path = folder.path().join("contacts.in");
         std::fs::write(&path, text).map_err(|source| LiveError::Io { path: path.clone(), source })?;
         let deck = Deck::read(&path)?;
-        let folder = Folder::new(&deck)?;
-        let laws = if who == Who::TakenOver { Laws::Rust } else { Laws::Own };
-        let preload = Preload::new(&self.plugin, laws);
-        let preload = (who != Who::Stock).then_some(&preload);
-        let ran = folder.run(&self.host, &deck, preload, self.limit)?;
+        let environment = match who {
+            Who::Stock => Vec::new(),
+            Who::TakenOver => Preload::new(&self.plugin, Laws::Rust).env(),
+            Who::Own => Preload::new(&self.plugin, Laws::Own).env(),
+        };
+        let ran = run(&self.host, &Run { deck: &deck, environment, limit: self.limit }, &folder)?;
         Ok((folder, ran))
     }
 }

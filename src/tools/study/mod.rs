@@ -15,7 +15,7 @@ pub mod stability;
 pub mod tied;
 pub mod timestep;
 
-use crate::liggghts::RunError;
+use crate::codes::RunError;
 
 /// What to study.
 #[derive(Debug)]

@@ -1,5 +1,5 @@
 //! A finished run.
-use crate::liggghts::{Folder, Ran};
+use crate::codes::{Folder, Ran};
 
 /// A finished run and its folder.
 pub(super) struct Attempt {

@@ -1,6 +1,6 @@
 //! Why nothing could be verified at all.
+use crate::codes::RunError;
 use crate::deck::DeckError;
-use crate::liggghts::RunError;
 use thiserror::Error;
 
 /// Why nothing could be verified at all.

@@ -2,8 +2,9 @@
 use super::attempt::Attempt;
 use super::checks::{self, Limit};
 use super::{answers, two_body};
+use crate::codes::liggghts::{Laws, Liggghts, Plugin, Preload};
+use crate::codes::{run, Folder, Run, RunError};
 use crate::deck::{Asked, Deck, Final, What};
-use crate::liggghts::{Folder, Host, Laws, Plugin, Preload, RunError};
 use crate::report::{Case, Curve, Shows};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -12,9 +13,10 @@ const RECORDED: &str = "the same laws give the same bits whether or not their ca
 
 /// What every case needs.
 pub(super) struct Bench<'a> {
-    pub host: &'a Host,
+    pub host: &'a Liggghts,
     pub plugin: &'a Plugin,
     pub limit: Duration,
+    pub lanes: &'a str,
 }
 
 /// A run that ends the case: which, and why.
@@ -89,21 +91,23 @@ impl Trial<'_> {
     /// One run from the beginning: the deck before this one, if there is one, then this one. `first` and `mode` say
     /// whose laws run in each, and whether this one is recorded; `None` is LIGGGHTS alone.
     fn attempt(&self, first: Option<Laws>, mode: Option<(Laws, bool)>) -> Result<Attempt, RunError> {
-        let Bench { host, plugin, limit } = *self.bench;
+        let Bench { host, plugin, limit, lanes } = *self.bench;
         let preload = |deck: &Deck, laws, record: bool| Preload {
             record: record.then(Folder::record),
-            every: deck.every,
+            every: Some(deck.every),
             deck: Some(deck.file()),
-            // Two particles would go one contact at a time, and the lanes of this machine are to be proved too.
-            lanes: std::env::var("GRANLAW_LANES").is_err().then(|| "widest".into()),
+            lanes: Some(lanes.into()),
             ..Preload::new(plugin, laws)
         };
         let folder = Folder::new(self.deck)?;
+        let run = |deck: &Deck, preload: Option<Preload<'_>>| {
+            let environment = preload.map(|p| p.env()).unwrap_or_default();
+            run(host, &Run { deck, environment, limit }, &folder)
+        };
         if let Some(before) = &self.first {
-            folder.run(host, before, first.map(|laws| preload(before, laws, false)).as_ref(), limit)?;
+            run(before, first.map(|laws| preload(before, laws, false)))?;
         }
-        let mode = mode.map(|(laws, record)| preload(self.deck, laws, record));
-        let ran = folder.run(host, self.deck, mode.as_ref(), limit)?;
+        let ran = run(self.deck, mode.map(|(laws, record)| preload(self.deck, laws, record)))?;
         Ok(Attempt { folder, ran })
     }
 

@@ -3,8 +3,9 @@
 //! Every deck runs on LIGGGHTS's own laws, once alone and once recorded; the recorded calls are replayed through the
 //! Rust laws; the deck runs on the Rust laws inside LIGGGHTS; two free particles are integrated by our own code. Which of
 //! the answers differ tells whether the law, the boundary or the integration is at fault.
+use crate::codes::liggghts::{Liggghts, Plugin};
+use crate::codes::RunError;
 use crate::deck::Deck;
-use crate::liggghts::{Host, Plugin, RunError};
 use crate::report::{About, Case, Report};
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -31,6 +32,8 @@ pub struct Options {
     pub shard: Option<(usize, usize)>,
     /// The longest that a single run may take.
     pub limit: Duration,
+    /// How many contacts of the Rust laws go side by side: 1, 4, 8 or `widest`.
+    pub lanes: String,
     /// Whether to refuse to go on without LIGGGHTS and plugin.
     pub require_liggghts: bool,
     /// The command line, for the report.
@@ -41,7 +44,7 @@ pub struct Options {
 pub struct Plan {
     options: Options,
     decks: Vec<(String, Deck)>,
-    tools: Result<(Host, Plugin), RunError>,
+    tools: Result<(Liggghts, Plugin), RunError>,
 }
 
 impl Plan {
@@ -60,8 +63,10 @@ impl Plan {
                 return Err(VerifyError::EmptyShard { k, n, decks: all });
             }
         }
-        let tools = match Host::find().and_then(|host| Ok((host, Plugin::find()?))) {
-            Err(e @ (RunError::NoLiggghts | RunError::NoPlugin { .. })) if !options.require_liggghts => {
+        let tools = match Liggghts::find().and_then(|host| Ok((host, Plugin::find()?))) {
+            Err(e @ (RunError::NoProgram { .. } | RunError::NoPlugin { .. }))
+                if !options.require_liggghts =>
+            {
                 Err(e)
             }
             found => Ok(found?),
@@ -94,7 +99,8 @@ impl Plan {
             Ok((host, plugin)) => {
                 about.liggghts = Some(host.version.clone());
                 about.plugin = Some(format!("{} for LIGGGHTS {}", plugin.path.display(), plugin.liggghts));
-                self.live(&live::Bench { host, plugin, limit: self.options.limit }, done)?
+                let (limit, lanes) = (self.options.limit, self.options.lanes.as_str());
+                self.live(&live::Bench { host, plugin, limit, lanes }, done)?
             }
             Err(missing) => {
                 let cases = offline::cases(missing)?;

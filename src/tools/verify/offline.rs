@@ -1,8 +1,8 @@
 //! Verifies without LIGGGHTS, on recorded traces; the report says what that leaves out.
 use super::checks::{self, Limit};
 use super::{answers, two_body, VerifyError};
+use crate::codes::RunError;
 use crate::deck::{Asked, Deck, What};
-use crate::liggghts::RunError;
 use crate::report::{Case, Shows};
 use crate::trace::Reader;
 use std::fs;

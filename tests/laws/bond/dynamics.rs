@@ -1,6 +1,5 @@
 //! Free pairs under a bond, in LIGGGHTS's time integration: momentum, energy, damping, critical steps.
 use super::bench::{Deck, Driven};
-use granlaw::model::Mode;
 use granlaw::model::*;
 use granlaw::pair::{run, states, Opened, Partner, Start, State};
 use nalgebra::{Rotation3, Vector3};

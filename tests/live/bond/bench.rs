@@ -1,6 +1,7 @@
 //! LIGGGHTS with the plugin on decks made here.
 use crate::built::{alone, built, source};
 use crate::common::{Said, Scratch};
+use granlaw_tools::codes::environment::VARIABLES;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -27,9 +28,9 @@ pub fn run(s: &Scratch, ranks: usize, library: &str) -> Said {
         command.arg(ranks.to_string()).arg("-x").arg(format!("LD_PRELOAD={preload}")).arg("liggghts");
         command
     };
-    for name in ["LAWS", "RECORD", "EVERY", "PATH", "PROBE"] {
-        command.env_remove(format!("GRANLAW_{name}"));
-    }
+    VARIABLES.iter().for_each(|v| {
+        command.env_remove(v.name);
+    });
     Said::of(command.args(["-in", "deck.in"]))
 }
 

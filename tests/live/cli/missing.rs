@@ -1,8 +1,8 @@
 //! Machines on which something is missing: LIGGGHTS, the plugin, or one that fits.
 use crate::built::source;
 use crate::common::{deck, live, plugin, program, report, Said, Scratch};
+use granlaw_tools::codes::liggghts::Plugin;
 use granlaw_tools::deck::Deck;
-use granlaw_tools::liggghts::Plugin;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

@@ -96,7 +96,7 @@ fn a_wrong_critical_step_is_seen() {
     assert!(onset_by(|r| 0.95 * r.normal.step(), "rest-normal").is_err());
     // Without the turning of the sphere: 2/ω of m* instead of 2/7 m*.
     let still = |r: &granlaw_tools::study::stability::Row| {
-        granlaw::critical::Mode { mass: r.normal.mass, ..r.tangential }.step()
+        granlaw::model::Mode { mass: r.normal.mass, ..r.tangential }.step()
     };
     assert!(onset_by(still, "rest-tangential").is_err());
 }

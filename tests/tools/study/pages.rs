@@ -1,5 +1,5 @@
 //! The checks on a study's page, each with a fault that turns it.
-use granlaw_tools::liggghts::RunError;
+use granlaw_tools::codes::RunError;
 use granlaw_tools::report::page::{Page, Spread};
 use granlaw_tools::report::Outcome;
 use granlaw_tools::study::{speed, stability, Options};

@@ -1,5 +1,6 @@
 //! Advice on the time step from a probe made by hand.
-use granlaw::critical::{Mode, SAFE, SAFE_BOND};
+use granlaw::critical::{SAFE, SAFE_BOND};
+use granlaw::model::Mode;
 use granlaw_tools::probe::{Contacts, Grains, Probe};
 use granlaw_tools::study::timestep::{advise, Advice, Asked};
 use granlaw_tools::trace::{Header, LawSpec, Property};

@@ -173,13 +173,8 @@ fn bed(bench: &Bench, matter: &Matter, who: Who) -> Result<Vec<f64>, LiveError> 
         matter.switches(names),
         format!("run {BLOCK}\n").repeat(BLOCKS + 1),
     );
-    let (folder, _) = bench.start(&text, who)?;
-    let path = folder.path().join("log.liggghts");
-    let log = std::fs::read_to_string(&path).map_err(|source| LiveError::Io { path, source })?;
-    // Lines like `Pair  time (%) = 0.0123 (97.5)`; the first block only warms up.
-    let seconds = log
-        .lines()
-        .filter_map(|l| l.strip_prefix("Pair  time (%) = ")?.split_whitespace().next()?.parse().ok());
+    let (_, ran) = bench.start(&text, who)?;
+    // The first block warms up.
     let contacts = (4 * CELLS.pow(3) * 6 * BLOCK) as f64;
-    Ok(seconds.skip(1).map(|s: f64| s / contacts).collect())
+    Ok(ran.times.iter().skip(1).map(|t| t.pair / contacts).collect())
 }

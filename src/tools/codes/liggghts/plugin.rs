@@ -1,5 +1,5 @@
 //! The plugin as a file: where it is, and whether it is one for us.
-use super::RunError;
+use crate::codes::RunError;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ impl Plugin {
     /// # Errors
     /// The file cannot be read or is not a plugin for this version.
     pub fn open(path: &Path) -> Result<Plugin, RunError> {
-        let refuse = |why: String| RunError::WrongPlugin { path: path.to_path_buf(), why };
+        let refuse = |why| RunError::WrongPlugin { path: path.to_path_buf(), why, abi: Plugin::ABI };
         let bytes = fs::read(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
         let (abi, liggghts) = marks(&bytes).ok_or_else(|| refuse("is not a granlaw plugin".into()))?;
         if abi != Plugin::ABI {

@@ -12,7 +12,7 @@ static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// How a process ended.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum End {
+pub(super) enum End {
     /// By itself.
     Exited(ExitStatus),
     /// It was stopped at the time limit.
@@ -27,7 +27,7 @@ pub fn interrupt() {
 }
 
 /// Run to the end or to the limit.
-pub(crate) fn run(command: &mut Command, limit: Duration) -> io::Result<End> {
+pub(super) fn run(command: &mut Command, limit: Duration) -> io::Result<End> {
     let begun = Instant::now();
     let mut child = command.process_group(0).spawn()?;
     let mut pause = Duration::from_millis(1);
