@@ -17,21 +17,13 @@ use std::path::{Path, PathBuf};
 const FRONTS_LEAD: [&str; 3] = ["src/core", "ffi/capi/src", "ffi/lanes/src"];
 
 /// Arrows that may close a circle: crate, from, to, and the reason.
-const ALLOWED: &[[&str; 4]] = &[
-    [
-        "src/tools",
-        "liggghts/error.rs",
-        "liggghts/plugin.rs",
-        "the error names the version that the plugin must have",
-    ],
-    ["src/tools", "liggghts/host.rs", "liggghts/mod.rs", "the environment is cleaned for every command"],
-];
+const ALLOWED: &[[&str; 4]] = &[];
 
 /// The rooms of the tools from bottom to top; those of one floor do not use each other.
 const FLOORS: &[&[&str]] = &[
     &["report", "spelling", "trace"],
     &["compare", "deck", "probe", "shadow"],
-    &["codes", "liggghts", "replay"],
+    &["codes", "replay"],
     &["advise", "bench", "study", "verify"],
 ];
 
