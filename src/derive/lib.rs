@@ -99,5 +99,5 @@ fn replaced(tokens: Tokens, name: &Ident) -> Tokens {
         }
         other => Tokens::from(other),
     };
-    tokens.into_iter().flat_map(|t| one(t)).collect()
+    tokens.into_iter().flat_map(one).collect()
 }
