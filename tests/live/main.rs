@@ -11,6 +11,7 @@ mod decks;
 mod dropin;
 mod environment;
 mod install;
+mod packages;
 mod probe;
 mod refusals;
 mod same_as;
