@@ -80,37 +80,6 @@ const EXCEPTIONS: &[Exception] = &[
     },
 ];
 
-/// k2max/kn.
-pub const MAX_STIFFNESS: Prop = Prop::new(
-    "coefficientMaxElasticStiffness",
-    "k2max/kn",
-    Shape::PerPair,
-    Unit::ONE,
-    Range::at_least(1.0),
-    "stiffest unloading over loading stiffness; 1 is a linear spring",
-)
-.usually(1.5, 20.0);
-/// kc/kn.
-pub const ADHESION_STIFFNESS: Prop = Prop::new(
-    "coefficientAdhesionStiffness",
-    "kc/kn",
-    Shape::PerPair,
-    Unit::ONE,
-    Range::at_least(0.0),
-    "adhesion over loading stiffness",
-)
-.usually(0.0, 2.0);
-/// φF.
-pub const PLASTICITY_DEPTH: Prop = Prop::new(
-    "coefficientPlasticityDepth",
-    "φF",
-    Shape::PerPair,
-    Unit::ONE,
-    Range::at_least(0.0),
-    "plastic depth over the diameter 2R*; 0 unloads along k2max from the start",
-)
-.usually(0.01, 0.5);
-
 impl<D: Dashpot> Law for HookeHysteresis<D> {
     const META: Meta = Meta {
         props: &[
@@ -121,9 +90,9 @@ impl<D: Dashpot> Law for HookeHysteresis<D> {
             prop::FLUID_VISCOSITY,
             prop::MAXIMUM_RESTITUTION,
             prop::CRITICAL_STOKES,
-            MAX_STIFFNESS,
-            ADHESION_STIFFNESS,
-            PLASTICITY_DEPTH,
+            prop::MAX_STIFFNESS,
+            prop::ADHESION_STIFFNESS,
+            prop::PLASTICITY_DEPTH,
         ],
         settings: &[
             prop::VISCOUS,

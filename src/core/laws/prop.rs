@@ -81,6 +81,36 @@ pub const CRITICAL_STOKES: Prop = Prop::new(
 )
 .usually(0.1, 50.0)
 .needed(Need::When("viscous", "on"));
+/// Stiffest unloading over loading stiffness, k2max/kn.
+pub const MAX_STIFFNESS: Prop = Prop::new(
+    "coefficientMaxElasticStiffness",
+    "k2max/kn",
+    Shape::PerPair,
+    Unit::ONE,
+    Range::at_least(1.0),
+    "stiffest unloading over loading stiffness; 1 is a linear spring",
+)
+.usually(1.5, 20.0);
+/// Adhesion over loading stiffness, kc/kn.
+pub const ADHESION_STIFFNESS: Prop = Prop::new(
+    "coefficientAdhesionStiffness",
+    "kc/kn",
+    Shape::PerPair,
+    Unit::ONE,
+    Range::at_least(0.0),
+    "adhesion over loading stiffness",
+)
+.usually(0.0, 2.0);
+/// Plasticity depth φF.
+pub const PLASTICITY_DEPTH: Prop = Prop::new(
+    "coefficientPlasticityDepth",
+    "φF",
+    Shape::PerPair,
+    Unit::ONE,
+    Range::at_least(0.0),
+    "plastic depth over the diameter 2R*; 0 unloads along k2max from the start",
+)
+.usually(0.01, 0.5);
 
 /// γt = γn, or 0 when off.
 pub const TANGENTIAL_DAMPING: Setting = Setting::on("tangential_damping", "damp the tangential motion too");
@@ -137,7 +167,7 @@ pub const CREATORS: &[(Prop, &str)] = &[
     (FLUID_VISCOSITY, "createCoeffMu"),
     (MAXIMUM_RESTITUTION, "createCoeffRestMax"),
     (CRITICAL_STOKES, "createCoeffStc"),
-    (super::hooke_hysteresis::MAX_STIFFNESS, "createCoeffMaxElasticStiffness"),
-    (super::hooke_hysteresis::ADHESION_STIFFNESS, "createCoeffAdhesionStiffness"),
-    (super::hooke_hysteresis::PLASTICITY_DEPTH, "createCoeffPlasticityDepth"),
+    (MAX_STIFFNESS, "createCoeffMaxElasticStiffness"),
+    (ADHESION_STIFFNESS, "createCoeffAdhesionStiffness"),
+    (PLASTICITY_DEPTH, "createCoeffPlasticityDepth"),
 ];

@@ -1,7 +1,5 @@
 //! A law with its types erased, prepared for all pairs of atom types.
-use super::{
-    ClosePair, Contact, Effects, GapLaw, Law, LawError, NamedMode, Observation, Reach, Response, Setup, Size,
-};
+use super::{ClosePair, Contact, Effects, GapLaw, Law, NamedMode, Observation, Response, Size};
 use crate::lane::{Lane, Lanes};
 use bytemuck::Pod;
 use std::ops::Range;
@@ -198,28 +196,23 @@ impl<W: GapLaw> Kernel for Across<W> {
     }
 }
 
-/// A [`Law`] from its set-up and the places of its slots in a row.
-pub(super) fn single<W: Law>(setup: &Setup, places: &[usize]) -> Result<Box<dyn Kernel>, LawError> {
-    let coeffs = setup.mixed(W::coeffs)?;
-    let of = Prepared::new(coeffs, setup.all_remarks(W::remarks));
-    let whole = places.len() == W::History::LEN && follow_each_other(places);
-    let begin = whole.then(|| places.first().copied().unwrap_or(0));
-    Ok(Box::new(Single::<W> { of, places: setup.placed(places), begin }))
+/// A [`Law`] from its coefficients for all pairs of types, and the place of each of its slots in a row.
+pub(super) fn single<W: Law>(
+    coeffs: Vec<W::Coeffs>,
+    remarks: Vec<String>,
+    places: Vec<Option<usize>>,
+) -> Box<dyn Kernel> {
+    let begin = places.first().copied().flatten().unwrap_or(0);
+    let together = places.iter().zip(begin..).all(|(place, at)| *place == Some(at));
+    let begin = together.then_some(begin);
+    Box::new(Single::<W> { of: Prepared::new(coeffs, remarks), places, begin })
 }
 
-/// A [`GapLaw`], whose slots must lie behind each other.
-pub(super) fn across<W: GapLaw>(setup: &Setup, places: &[usize]) -> Result<Box<dyn Kernel>, LawError> {
-    let coeffs = setup.mixed(W::coeffs)?;
-    let begin = places.first().copied().unwrap_or(0);
-    if !follow_each_other(places) {
-        let what = "the slots of its history must lie behind each other in a row".into();
-        return Err(LawError::Senseless { law: W::META.called(false), what });
-    }
-    debug_assert!(W::META.reach == Reach::Beyond);
-    let of = Prepared::new(coeffs, setup.all_remarks(W::remarks));
-    Ok(Box::new(Across::<W> { of, slots: begin..begin + places.len() }))
-}
-
-fn follow_each_other(places: &[usize]) -> bool {
-    places.windows(2).all(|p| p[1] == p[0] + 1)
+/// A [`GapLaw`] from the same, and where its slots lie.
+pub(super) fn across<W: GapLaw>(
+    coeffs: Vec<W::Coeffs>,
+    remarks: Vec<String>,
+    slots: Range<usize>,
+) -> Box<dyn Kernel> {
+    Box::new(Across::<W> { of: Prepared::new(coeffs, remarks), slots })
 }

@@ -6,22 +6,25 @@
 mod binding;
 mod contact;
 mod entry;
+mod error;
 mod kernel;
 mod meta;
-mod setup;
+mod quantity;
+mod settings;
 
 pub use binding::{Binding, ContactFlag, Support};
 pub use contact::{
     Body, BondEvent, Call, ClosePair, Contact, Effects, Mode, NamedMode, Observation, Response, Size,
     Surface, ATOM_OUTPUTS, ATOM_PROPS,
 };
-pub use entry::{Alone, Entry, ForLanes};
+pub use entry::{Alone, Entry, ForLanes, Pair, Setup, Values};
+pub use error::LawError;
 pub use kernel::{Kernel, Memory, Slots};
 pub use meta::{
-    AtomProp, Channel, Exception, Kind, Meta, Need, Newton, Prop, Range, Reach, Rule, Setting, Shape, Slot,
-    Unit,
+    AtomProp, Channel, Exception, Kind, Meta, Need, Newton, Prop, Reach, Rule, Setting, Shape, Slot,
 };
-pub use setup::{LawError, Pair, Settings, Setup, Values};
+pub use quantity::{Range, Unit};
+pub use settings::{Declaration, Settings};
 
 use crate::lane::{Lane, Lanes};
 
