@@ -2,7 +2,7 @@
 use crate::chunk::{At, Block, Chunk};
 use crate::unit::Unit;
 use granlaw::lane::Lanes;
-use granlaw::model::{Call, ForLanes, Law, LawError, Response, Setup, Size, Slots};
+use granlaw::model::{Call, ForLanes, Law, LawError, Parameters, Response, Setup, Size, Slots};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 
@@ -31,7 +31,7 @@ impl<L: Unit> ForLanes for Kernels<L> {
     type Made = Prepare<L>;
     fn make<W: Law>() -> Prepare<L> {
         |setup, places| {
-            let coeffs = setup.mixed(W::coeffs)?;
+            let coeffs = setup.mixed(W::Params::coeffs)?;
             let places = Places::new(&setup.placed(places));
             Ok(Box::new(Prepared::<W, L> { coeffs, places, params: Params::Each(Vec::new()) }))
         }
@@ -65,7 +65,7 @@ enum Params<W: Law, L: Unit> {
 type History<W, L> = <<W as Law>::History as Lanes>::Of<L>;
 
 struct Prepared<W: Law, L: Unit> {
-    coeffs: Vec<W::Coeffs>,
+    coeffs: Vec<<W::Params as Parameters>::Coeffs>,
     places: Places,
     params: Params<W, L>,
 }
@@ -89,10 +89,10 @@ impl<W: Law, L: Unit> Prepared<W, L> {
         self.read(at, &mut h);
         if first {
             let mut new = Response::default();
-            W::surfaces_intersect::<L>(p, call, surface, &mut h, &mut new);
+            W::intersect::<L>(p, call, surface, &mut h, &mut new);
             *response = new;
         } else {
-            W::surfaces_intersect::<L>(p, call, surface, &mut h, response);
+            W::intersect::<L>(p, call, surface, &mut h, response);
         }
         self.keep(at, &h);
     }
@@ -181,7 +181,7 @@ fn keep_apart<L: Unit>(places: &[Option<usize>], at: &At<'_>, columns: &[L]) {
 
 impl<W: Law, L: Unit> Kernel<L> for Prepared<W, L> {
     fn fit_all(&mut self, pair: usize, size: &Size) {
-        let params = W::params(&self.coeffs[pair], size);
+        let params = W::Params::new(&self.coeffs[pair], size);
         self.params = L::run(|| Params::Shared(W::Params::side_by_side::<L>(|_| params)));
     }
 
@@ -194,7 +194,7 @@ impl<W: Law, L: Unit> Kernel<L> for Prepared<W, L> {
 
     fn fit(&mut self, pair: usize, size: &Size) {
         if let Params::Each(params) = &mut self.params {
-            params.push(W::params(&self.coeffs[pair], size));
+            params.push(W::Params::new(&self.coeffs[pair], size));
         }
     }
 

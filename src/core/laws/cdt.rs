@@ -22,7 +22,21 @@ pub struct Params<L = f64> {
     torsion: bool,
 }
 
+impl Parameters for Params {
+    type Coeffs = (f64, bool);
+
+    fn coeffs(p: &Pair<'_>) -> Result<(f64, bool), LawError> {
+        Ok((p.get("coefficientRollingFriction"), p.on("torsionTorque")))
+    }
+
+    fn new(c: &(f64, bool), size: &Size) -> Params {
+        Params { torque: ConstantTorque::new(c.0, size), torsion: c.1 }
+    }
+}
+
 impl Law for Cdt {
+    type Params = Params;
+    type History = [f64; 0];
     const META: Meta = Meta {
         props: &[prop::ROLLING_FRICTION],
         settings: &[prop::TORSION_TORQUE],
@@ -35,26 +49,9 @@ impl Law for Cdt {
     };
     // LIGGGHTS's law does not touch the flag.
     const LIGGGHTS: Binding = Binding { contact_flags: [ContactFlag::Leave; 2], ..Binding::new(49, Some(1)) };
-    type Coeffs = (f64, bool);
-    type Params = Params;
-    type History = [f64; 0];
-
-    fn coeffs(p: &Pair<'_>) -> Result<(f64, bool), LawError> {
-        Ok((p.get("coefficientRollingFriction"), p.on("torsionTorque")))
-    }
-
-    fn params(c: &(f64, bool), size: &Size) -> Params {
-        Params { torque: ConstantTorque::new(c.0, size), torsion: c.1 }
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
-        p: &Params<L>,
-        call: &Call,
-        x: &Surface<L>,
-        _: &mut [L; 0],
-        s: &mut Response<L>,
-    ) {
+    fn intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let spin = norm(&x.roll);
         let torque = p.torque.along(&x.roll, spin, call, x, s.kn);
         let mut torque = select3(spin.gt(L::splat(0.0)), torque, zero()); // (E1)

@@ -75,7 +75,41 @@ const fn adhesion(name: &'static str, symbol: &'static str, unit: Unit, doc: &'s
 /// Share of the spin below which a rolling part is the round-off of a spin along the normal, squared.
 const ROUND_OFF: f64 = 1e-28;
 
+impl Parameters for Params {
+    type Coeffs = Coeffs;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        let (torsion, rest_limit) = (p.on("torsionTorque"), p.on("restTorqueLimit"));
+        if rest_limit && p.nktv2p() != 1.0 {
+            // There a torque over an inertia is no angular acceleration.
+            let why = "it needs consistent units; units real, metal and electron are not";
+            return Err(p.refuse_option("restTorqueLimit", "on", why));
+        }
+        let documented = p.option("cdtJkrConvention") == "documented";
+        Ok(Coeffs {
+            work: p.get("workOfAdhesion"),
+            hysteresis: p.get("adhesionHysteresis"),
+            yeff: effective_young(p) / p.nktv2p(),
+            documented,
+            switches: Switches { torsion, rolling_part: documented && !torsion, rest_limit },
+        })
+    }
+
+    fn new(c: &Coeffs, size: &Size) -> Params {
+        let reff = size.reff();
+        let a0 = jkr_radius(c.work, reff, c.yeff); // (2)
+        let pi = if c.documented { PI } else { 1.0 };
+        let mu = pi * a0 / (4.0 * reff) * c.hysteresis; // (3)
+        let (i, j) = size.mobilities();
+        // Two that are held do not turn.
+        let inertia = if i + j > 0.0 { 1.0 / (i + j) } else { 0.0 };
+        Params { torque: ConstantTorque::new(mu, size), mobility: [i, j], inertia, switches: c.switches }
+    }
+}
+
 impl Law for CdtJkr {
+    type Params = Params;
+    type History = [f64; 0];
     const META: Meta = Meta {
         props: &[
             prop::YOUNG,
@@ -117,46 +151,9 @@ impl Law for CdtJkr {
     };
     // As `cdt`.
     const LIGGGHTS: Binding = Binding { contact_flags: [ContactFlag::Leave; 2], ..Binding::new(58, None) };
-    type Coeffs = Coeffs;
-    type Params = Params;
-    type History = [f64; 0];
-
-    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        let (torsion, rest_limit) = (p.on("torsionTorque"), p.on("restTorqueLimit"));
-        if rest_limit && p.nktv2p() != 1.0 {
-            // There a torque over an inertia is no angular acceleration.
-            let why = "it needs consistent units; units real, metal and electron are not";
-            return Err(p.refuse_option("restTorqueLimit", "on", why));
-        }
-        let documented = p.option("cdtJkrConvention") == "documented";
-        Ok(Coeffs {
-            work: p.get("workOfAdhesion"),
-            hysteresis: p.get("adhesionHysteresis"),
-            yeff: effective_young(p) / p.nktv2p(),
-            documented,
-            switches: Switches { torsion, rolling_part: documented && !torsion, rest_limit },
-        })
-    }
-
-    fn params(c: &Coeffs, size: &Size) -> Params {
-        let reff = size.reff();
-        let a0 = jkr_radius(c.work, reff, c.yeff); // (2)
-        let pi = if c.documented { PI } else { 1.0 };
-        let mu = pi * a0 / (4.0 * reff) * c.hysteresis; // (3)
-        let (i, j) = size.mobilities();
-        // Two that are held do not turn.
-        let inertia = if i + j > 0.0 { 1.0 / (i + j) } else { 0.0 };
-        Params { torque: ConstantTorque::new(mu, size), mobility: [i, j], inertia, switches: c.switches }
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
-        p: &Params<L>,
-        call: &Call,
-        x: &Surface<L>,
-        _: &mut [L; 0],
-        s: &mut Response<L>,
-    ) {
+    fn intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let Switches { torsion, rest_limit, .. } = p.switches;
         let spin = if rest_limit { p.resting(call, x, s) } else { x.roll };
         let (axis, length, rolls) = p.axis(spin, &x.en);
@@ -226,7 +223,7 @@ mod tests {
             meff: 0.5,
             is_wall: false,
         };
-        let params = CdtJkr::params(&CdtJkr::coeffs(&setup.pair(0, 0)).unwrap(), &size);
+        let params = Params::new(&Params::coeffs(&setup.pair(0, 0)).unwrap(), &size);
         params.torque.size(&Surface { deltan: 1.0, ..Surface::default() }, 1.0) / size.reff()
     }
 
@@ -249,7 +246,7 @@ mod tests {
     #[test]
     fn the_limit_is_refused_where_a_torque_over_an_inertia_is_no_acceleration() {
         let other = setup("documented", "on", 1e5);
-        let why = CdtJkr::coeffs(&other.pair(0, 0)).unwrap_err().to_string();
+        let why = Params::coeffs(&other.pair(0, 0)).unwrap_err().to_string();
         assert!(
             why.starts_with("cdt_jkr/rs: setting restTorqueLimit on is not supported (it needs"),
             "{why}"

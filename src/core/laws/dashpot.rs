@@ -1,4 +1,6 @@
 //! What the dashpot of a linear spring goes by: a coefficient of restitution, or the Stokes number of the impact.
+use super::formulas::{effective_young, hooke_stiffness};
+use super::normal::Switches;
 use crate::lane::{Lane, Lanes};
 use crate::model::{Pair, Size};
 use std::f64::consts::PI;
@@ -25,6 +27,37 @@ impl Coeffs {
             stokes_critical: given(viscous, "CriticalStokes"),
             abs: pair.on("viscousAbs"),
         }
+    }
+}
+
+/// What a pair of types decides of a linear spring and its dashpot.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear {
+    yeff: f64,
+    vc: f64,
+    dashpot: Coeffs,
+    /// The settings of all normal laws.
+    pub switches: Switches,
+    /// Conversion from pressure to force per area in the deck's units; 1 in SI.
+    pub nktv2p: f64,
+}
+
+impl Linear {
+    /// As the deck has them.
+    pub fn new(p: &Pair<'_>) -> Linear {
+        Linear {
+            yeff: effective_young(p),
+            vc: p.get("characteristicVelocity"),
+            dashpot: Coeffs::new(p),
+            switches: Switches::new(p),
+            nktv2p: p.nktv2p(),
+        }
+    }
+
+    /// kn before it is converted, see [`hooke_stiffness`], and the dashpot that goes with it.
+    pub fn between<D: Dashpot>(&self, size: &Size, damping: impl Fn(f64, f64, f64) -> f64) -> (f64, D) {
+        let kn = hooke_stiffness(self.yeff, size.reff(), size.meff, self.vc);
+        (kn, D::new(&self.dashpot, size, kn, damping))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the friction laws share.
 use super::timing::Timing;
 use crate::lane::{cross, Lane, Lanes};
-use crate::model::{LawError, Pair, Response, Size, Surface};
+use crate::model::{LawError, Pair, Parameters, Response, Size, Surface};
 use nalgebra::Vector3;
 
 /// What a pair of types decides.
@@ -22,15 +22,15 @@ pub struct Params<L = f64> {
     pub timing: Timing,
 }
 
-impl Coeffs {
-    /// As the deck has them.
-    pub fn new(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+impl Parameters for Params {
+    type Coeffs = Coeffs;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
         Ok(Coeffs { mu: p.get("coefficientFriction"), timing: Timing::new(p) })
     }
 
-    /// For two sizes.
-    pub fn params(&self, size: &Size) -> Params {
-        Params { mu: self.mu, meff: size.meff, timing: self.timing }
+    fn new(c: &Coeffs, size: &Size) -> Params {
+        Params { mu: c.mu, meff: size.meff, timing: c.timing }
     }
 }
 

@@ -49,7 +49,25 @@ pub struct Params<L = f64> {
 
 const SQRT_5_6: f64 = 0.912_870_929_175_276_9;
 
+impl Parameters for Params {
+    type Coeffs = Coeffs;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        let log_e = p.get("coefficientRestitution").ln();
+        let beta = log_e / (log_e * log_e + PI * PI).sqrt();
+        let (yeff, geff) = (effective_young(p), effective_shear(p));
+        Ok(Coeffs { yeff, geff, beta, switches: Switches::new(p), nktv2p: p.nktv2p() })
+    }
+
+    fn new(c: &Coeffs, size: &Size) -> Params {
+        let Coeffs { yeff, geff, beta, switches, nktv2p } = *c;
+        Params { reff: size.reff(), meff: size.meff, yeff, geff, beta, nktv2p, switches }
+    }
+}
+
 impl Law for Hertz {
+    type Params = Params;
+    type History = [f64; 0];
     const META: Meta = Meta {
         props: &[prop::YOUNG, prop::POISSON, prop::RESTITUTION],
         settings: &[
@@ -84,30 +102,9 @@ impl Law for Hertz {
         contact_flags: [ContactFlag::Set, ContactFlag::Set],
         ..Binding::new(51, Some(3))
     };
-    type Coeffs = Coeffs;
-    type Params = Params;
-    type History = [f64; 0];
-
-    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        let log_e = p.get("coefficientRestitution").ln();
-        let beta = log_e / (log_e * log_e + PI * PI).sqrt();
-        let (yeff, geff) = (effective_young(p), effective_shear(p));
-        Ok(Coeffs { yeff, geff, beta, switches: Switches::new(p), nktv2p: p.nktv2p() })
-    }
-
-    fn params(c: &Coeffs, size: &Size) -> Params {
-        let Coeffs { yeff, geff, beta, switches, nktv2p } = *c;
-        Params { reff: size.reff(), meff: size.meff, yeff, geff, beta, nktv2p, switches }
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
-        p: &Params<L>,
-        call: &Call,
-        x: &Surface<L>,
-        _: &mut [L; 0],
-        s: &mut Response<L>,
-    ) {
+    fn intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let root = (p.reff * x.deltan).sqrt();
         let (sn, st) = (L::splat(2.0) * p.yeff * root, L::splat(8.0) * p.geff * root); // (E1)
         let (kn, kt) = (L::splat(4.0 / 3.0) * p.yeff * root / p.nktv2p, st / p.nktv2p); // (E2)

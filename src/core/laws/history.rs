@@ -20,7 +20,7 @@
 //! Limits: (E2) adds the dashpot after the Coulomb test, so the force jumps by γt v_t where sticking turns into
 //! slipping and may exceed μ|Fn| below it; the projection loses length when the normal turns. Both as LIGGGHTS.
 //! When slip turns into stick shows in second derivatives only, so there (E4) has no counterpart.
-use super::friction::{push, Coeffs, Params};
+use super::friction::{push, Params};
 use super::prop;
 use super::timing::{at_once, growing, turning, Ends};
 use crate::lane::{dot, each, norm, select3, zero, Lane};
@@ -31,6 +31,8 @@ use nalgebra::Vector3;
 pub struct History;
 
 impl Law for History {
+    type Params = Params;
+    type History = [f64; 3];
     const META: Meta = Meta {
         props: &[prop::FRICTION],
         settings: &[prop::CENTRED_DAMPING, prop::TOUCH_FRACTION],
@@ -57,26 +59,9 @@ impl Law for History {
         ],
         ..Binding::new(50, Some(2))
     };
-    type Coeffs = Coeffs;
-    type Params = Params;
-    type History = [f64; 3];
-
-    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Coeffs::new(p)
-    }
-
-    fn params(c: &Coeffs, size: &Size) -> Params {
-        c.params(size)
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
-        p: &Params<L>,
-        call: &Call,
-        x: &Surface<L>,
-        h: &mut [L; 3],
-        s: &mut Response<L>,
-    ) {
+    fn intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, h: &mut [L; 3], s: &mut Response<L>) {
         if p.timing.acts(call) {
             return timed(p, call, x, h, s);
         }

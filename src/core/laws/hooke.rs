@@ -18,8 +18,7 @@
 //!
 //! Departure: with `viscous on` LIGGGHTS divides infinity by infinity at v_n = 0 and gets NaN; here the limit
 //! `γn = sqrt(4 m* kn)` holds.
-use super::dashpot::{self, Dashpot, Restitution};
-use super::formulas::{effective_young, hooke_stiffness};
+use super::dashpot::{Dashpot, Linear, Restitution};
 use super::normal::{Normal, Switches};
 use super::prop;
 use super::timing::Onset;
@@ -34,12 +33,8 @@ pub struct Hooke<D = Restitution>(PhantomData<D>);
 /// What a pair of types decides.
 #[derive(Clone, Copy, Debug)]
 pub struct Coeffs {
-    yeff: f64,
-    vc: f64,
-    dashpot: dashpot::Coeffs,
+    linear: Linear,
     kt_over_kn: f64,
-    switches: Switches,
-    nktv2p: f64,
 }
 
 /// What two sizes decide.
@@ -62,7 +57,26 @@ fn damping<L: Lane>(meff: L, kn: L, log_e: L) -> L {
     L::select(infinite, four * meff * kn, gamma).sqrt()
 }
 
+impl<D: Dashpot> Parameters for Params<f64, D> {
+    type Coeffs = Coeffs;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        // The seven-digit 2/7 is LIGGGHTS's.
+        let kt_over_kn = if p.on("ktToKnUser") { 0.285714286 } else { 1.0 };
+        Ok(Coeffs { linear: Linear::new(p), kt_over_kn })
+    }
+
+    fn new(c: &Coeffs, size: &Size) -> Params<f64, D> {
+        let Coeffs { linear, kt_over_kn } = c;
+        let (spring, dashpot) = linear.between(size, damping); // (E1), (E2)
+        let (kn, kt) = (spring / linear.nktv2p, spring * kt_over_kn / linear.nktv2p);
+        Params { kn, kt, meff: size.meff, dashpot, switches: linear.switches }
+    }
+}
+
 impl<D: Dashpot> Law for Hooke<D> {
+    type Params = Params<f64, D>;
+    type History = [f64; 0];
     const META: Meta = Meta {
         props: &[
             prop::YOUNG,
@@ -109,31 +123,9 @@ impl<D: Dashpot> Law for Hooke<D> {
         contact_flags: [ContactFlag::Set, ContactFlag::Set],
         ..Binding::new(48, Some(0))
     };
-    type Coeffs = Coeffs;
-    type Params = Params<f64, D>;
-    type History = [f64; 0];
-
-    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Ok(Coeffs {
-            yeff: effective_young(p),
-            vc: p.get("characteristicVelocity"),
-            dashpot: dashpot::Coeffs::new(p),
-            // The seven-digit 2/7 is LIGGGHTS's.
-            kt_over_kn: if p.on("ktToKnUser") { 0.285714286 } else { 1.0 },
-            switches: Switches::new(p),
-            nktv2p: p.nktv2p(),
-        })
-    }
-
-    fn params(c: &Coeffs, size: &Size) -> Params<f64, D> {
-        let kn = hooke_stiffness(c.yeff, size.reff(), size.meff, c.vc); // (E1)
-        let (k, kt) = (kn / c.nktv2p, kn * c.kt_over_kn / c.nktv2p);
-        let dashpot = D::new(&c.dashpot, size, kn, damping);
-        Params { kn: k, kt, meff: size.meff, dashpot, switches: c.switches }
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
+    fn intersect<L: Lane>(
         p: &Params<L, D::Of<L>>,
         call: &Call,
         x: &Surface<L>,

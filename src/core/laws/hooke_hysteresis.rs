@@ -30,8 +30,7 @@
 //! Departures from LIGGGHTS: `coefficientMaxElasticStiffness = 1` is a linear spring (δlim infinite), where LIGGGHTS
 //! divides 0 by 0 in (6′) and, for φF = 0, in (2). `limitForce` works under our own name; LIGGGHTS reads and ignores
 //! it, and so does this law where it has taken over the stock name.
-use super::dashpot::{self, Dashpot, Restitution};
-use super::formulas::{effective_young, hooke_stiffness};
+use super::dashpot::{Dashpot, Linear, Restitution};
 use super::normal::{Normal, Switches};
 use super::prop;
 use super::timing::Onset;
@@ -46,14 +45,10 @@ pub struct HookeHysteresis<D = Restitution>(PhantomData<D>);
 /// What a pair of types decides.
 #[derive(Clone, Copy, Debug)]
 pub struct Coeffs {
-    yeff: f64,
-    vc: f64,
-    dashpot: dashpot::Coeffs,
+    linear: Linear,
     k2max_over_kn: f64,
     kc_over_kn: f64,
     phi_f: f64,
-    switches: Switches,
-    nktv2p: f64,
 }
 
 /// What two sizes decide.
@@ -80,7 +75,31 @@ const EXCEPTIONS: &[Exception] = &[
     },
 ];
 
+impl<D: Dashpot> Parameters for Params<f64, D> {
+    type Coeffs = Coeffs;
+
+    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
+        Ok(Coeffs {
+            linear: Linear::new(p),
+            k2max_over_kn: p.get("coefficientMaxElasticStiffness"),
+            kc_over_kn: p.get("coefficientAdhesionStiffness"),
+            phi_f: p.get("coefficientPlasticityDepth"),
+        })
+    }
+
+    fn new(c: &Coeffs, size: &Size) -> Params<f64, D> {
+        let (spring, dashpot) = c.linear.between(size, damping); // (1), (8)
+        let (kn, reff) = (spring / c.linear.nktv2p, size.reff());
+        let k2max = kn * c.k2max_over_kn; // (3)
+        let delta_lim = if k2max > kn { k2max / (k2max - kn) * c.phi_f * 2.0 * reff } else { f64::INFINITY }; // (2)
+        let kc = kn * c.kc_over_kn; // (5)
+        Params { kn, k2max, kc, delta_lim, meff: size.meff, dashpot, switches: c.linear.switches }
+    }
+}
+
 impl<D: Dashpot> Law for HookeHysteresis<D> {
+    type Params = Params<f64, D>;
+    type History = [f64; 1];
     const META: Meta = Meta {
         props: &[
             prop::YOUNG,
@@ -128,36 +147,9 @@ impl<D: Dashpot> Law for HookeHysteresis<D> {
         ],
         ..Binding::new(50, Some(2))
     };
-    type Coeffs = Coeffs;
-    type Params = Params<f64, D>;
-    type History = [f64; 1];
-
-    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Ok(Coeffs {
-            yeff: effective_young(p),
-            vc: p.get("characteristicVelocity"),
-            dashpot: dashpot::Coeffs::new(p),
-            k2max_over_kn: p.get("coefficientMaxElasticStiffness"),
-            kc_over_kn: p.get("coefficientAdhesionStiffness"),
-            phi_f: p.get("coefficientPlasticityDepth"),
-            switches: Switches::new(p),
-            nktv2p: p.nktv2p(),
-        })
-    }
-
-    fn params(c: &Coeffs, size: &Size) -> Params<f64, D> {
-        let reff = size.reff();
-        let spring = hooke_stiffness(c.yeff, reff, size.meff, c.vc); // (1)
-        let kn = spring / c.nktv2p;
-        let k2max = kn * c.k2max_over_kn; // (3)
-        let delta_lim = if k2max > kn { k2max / (k2max - kn) * c.phi_f * 2.0 * reff } else { f64::INFINITY }; // (2)
-        let kc = kn * c.kc_over_kn; // (5)
-        let dashpot = D::new(&c.dashpot, size, spring, damping);
-        Params { kn, k2max, kc, delta_lim, meff: size.meff, dashpot, switches: c.switches }
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
+    fn intersect<L: Lane>(
         p: &Params<L, D::Of<L>>,
         call: &Call,
         x: &Surface<L>,

@@ -5,7 +5,7 @@
 //! `v_t` \[m/s\] is the tangential relative velocity at the contact, γt \[N s/m\] and Fn \[N\] come from the normal law.
 //! `centredDamping`, `touchFraction`: see [`super::timing`].
 //! Limits: no static friction; a contact at rest creeps.
-use super::friction::{push, Coeffs, Params};
+use super::friction::{push, Params};
 use super::prop;
 use super::timing::turning;
 use crate::lane::{norm, Lane};
@@ -15,6 +15,8 @@ use crate::model::*;
 pub struct NoHistory;
 
 impl Law for NoHistory {
+    type Params = Params;
+    type History = [f64; 0];
     const META: Meta = Meta {
         props: &[prop::FRICTION],
         settings: &[prop::CENTRED_DAMPING, prop::TOUCH_FRACTION],
@@ -30,26 +32,9 @@ impl Law for NoHistory {
         ],
         ..Binding::new(49, Some(1))
     };
-    type Coeffs = Coeffs;
-    type Params = Params;
-    type History = [f64; 0];
-
-    fn coeffs(p: &Pair<'_>) -> Result<Coeffs, LawError> {
-        Coeffs::new(p)
-    }
-
-    fn params(c: &Coeffs, size: &Size) -> Params {
-        c.params(size)
-    }
 
     #[inline(always)]
-    fn surfaces_intersect<L: Lane>(
-        p: &Params<L>,
-        call: &Call,
-        x: &Surface<L>,
-        _: &mut [L; 0],
-        s: &mut Response<L>,
-    ) {
+    fn intersect<L: Lane>(p: &Params<L>, call: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let speed = norm(&x.vtr);
         let coulomb = p.mu * s.fn_.abs();
         let acts = p.timing.acts(call);

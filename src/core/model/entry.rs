@@ -2,8 +2,8 @@
 //! Nothing is refused later.
 use super::kernel::{across, single};
 use super::{
-    Binding, Declaration, GapLaw, Kernel, Law, LawError, Memory, Meta, Range, Reach, Setting, Settings,
-    Shape, Slot, Slots, Support,
+    Binding, Declaration, GapLaw, Kernel, Law, LawError, Memory, Meta, Parameters, Range, Reach, Setting,
+    Settings, Shape, Slot, Slots, Support,
 };
 use std::fmt::Debug;
 
@@ -129,7 +129,7 @@ impl<U: ForLanes> Form<U> {
 }
 
 fn prepare_single<W: Law>(setup: &Setup, places: &[usize]) -> Result<Box<dyn Kernel>, LawError> {
-    let coeffs = setup.mixed(W::coeffs)?;
+    let coeffs = setup.mixed(W::Params::coeffs)?;
     Ok(single::<W>(coeffs, setup.remarks(W::remarks), setup.placed(places)))
 }
 

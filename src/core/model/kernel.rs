@@ -1,5 +1,5 @@
 //! A law with its types erased, prepared for all pairs of atom types.
-use super::{ClosePair, Contact, Effects, GapLaw, Law, NamedMode, Observation, Response, Size};
+use super::{ClosePair, Contact, Effects, GapLaw, Law, NamedMode, Observation, Parameters, Response, Size};
 use crate::lane::{Lane, Lanes};
 use bytemuck::Pod;
 use std::ops::Range;
@@ -102,7 +102,7 @@ impl<C, P> Prepared<C, P> {
 
 /// A [`Law`], one contact at a time.
 struct Single<W: Law> {
-    of: Prepared<W::Coeffs, W::Params>,
+    of: Prepared<<W::Params as Parameters>::Coeffs, W::Params>,
     /// Where each slot lies in a row.
     places: Vec<Option<usize>>,
     /// Where the first one lies, if all are there and lie behind each other.
@@ -140,11 +140,11 @@ impl<W: Law> Single<W> {
 
 impl<W: Law> Kernel for Single<W> {
     fn fit(&mut self, pair: usize, size: &Size) {
-        self.of.params = Some(W::params(&self.of.coeffs[pair], size));
+        self.of.params = Some(W::Params::new(&self.of.coeffs[pair], size));
     }
     fn surfaces_intersect(&self, x: &Contact, row: &mut [f64], s: &mut Response, e: &mut Effects) {
         let mut h = self.history(row);
-        W::surfaces_intersect::<f64>(self.of.params(), &x.close.call, &x.surface, &mut h, s);
+        W::intersect::<f64>(self.of.params(), &x.close.call, &x.surface, &mut h, s);
         self.keep(&h, row);
         e.contact_flag = W::LIGGGHTS.contact_flags[0];
     }
@@ -198,7 +198,7 @@ impl<W: GapLaw> Kernel for Across<W> {
 
 /// A [`Law`] from its coefficients for all pairs of types, and the place of each of its slots in a row.
 pub(super) fn single<W: Law>(
-    coeffs: Vec<W::Coeffs>,
+    coeffs: Vec<<W::Params as Parameters>::Coeffs>,
     remarks: Vec<String>,
     places: Vec<Option<usize>>,
 ) -> Box<dyn Kernel> {

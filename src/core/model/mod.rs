@@ -28,6 +28,28 @@ pub use settings::{Declaration, Settings};
 
 use crate::lane::{Lane, Lanes};
 
+/// The parameters of a law between two sizes, and what they are made from. They derive `Lanes`.
+pub trait Parameters: Lanes<Of<f64> = Self> + Send {
+    /// What a pair of atom types decides.
+    type Coeffs: Copy + Send;
+
+    /// Mix the properties of a type pair, once per run. Ranges and missing values are already checked.
+    ///
+    /// # Errors
+    /// Combinations that make no sense.
+    fn coeffs(pair: &Pair<'_>) -> Result<Self::Coeffs, LawError>;
+    /// What remains once radii and masses are known; kept as long as they stay the same.
+    fn new(c: &Self::Coeffs, size: &Size) -> Self;
+}
+
+impl Parameters for () {
+    type Coeffs = ();
+    fn coeffs(_: &Pair<'_>) -> Result<(), LawError> {
+        Ok(())
+    }
+    fn new(_: &(), _: &Size) {}
+}
+
 /// A contact law. Its file holds all of it; a line in `laws::all` makes it known everywhere.
 ///
 /// ```
@@ -37,28 +59,36 @@ use crate::lane::{Lane, Lanes};
 /// /// F = k δ, with k from the deck.
 /// struct Spring;
 ///
+/// #[derive(Clone, Copy, Lanes)]
+/// struct Params<L = f64> {
+///     k: L,
+/// }
+///
+/// impl Parameters for Params {
+///     type Coeffs = f64;
+///     fn coeffs(p: &Pair<'_>) -> Result<f64, LawError> {
+///         Ok(p.get("kSpring"))
+///     }
+///     fn new(k: &f64, _: &Size) -> Params {
+///         Params { k: *k }
+///     }
+/// }
+///
 /// impl Law for Spring {
+///     type Params = Params;
+///     type History = [f64; 0];
 ///     const META: Meta = Meta {
 ///         props: &[Prop::new("kSpring", "k", Shape::PerPair, Unit::N_PER_M, Range::above(0.0), "stiffness")],
 ///         ..Meta::new(Kind::Normal, "spring", "a spring of given stiffness")
 ///     };
-///     type Coeffs = f64;
-///     type Params = [f64; 1];
-///     type History = [f64; 0];
-///
-///     fn coeffs(p: &Pair<'_>) -> Result<f64, LawError> {
-///         Ok(p.get("kSpring"))
-///     }
-///     fn params(k: &f64, _: &Size) -> [f64; 1] {
-///         [*k]
-///     }
-///     fn surfaces_intersect<L: Lane>([k]: &[L; 1], _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
-///         (s.fn_, s.kn) = (*k * x.deltan, *k);
+///     fn intersect<L: Lane>(p: &Params<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+///         (s.fn_, s.kn) = (p.k * x.deltan, p.k);
 ///         s.force += x.en * s.fn_;
 ///     }
-///     fn observe([k]: &[f64; 1], x: &Contact, _: &[f64; 0]) -> Observation {
+///     fn observe(p: &Params, x: &Contact, _: &[f64; 0]) -> Observation {
 ///         let delta = x.surface.deltan;
-///         Observation { branch: "spring", stiffness: *k, stored: 0.5 * k * delta * delta, ..Observation::default() }
+///         let stored = 0.5 * p.k * delta * delta;
+///         Observation { branch: "spring", stiffness: p.k, stored, ..Observation::default() }
 ///     }
 /// }
 ///
@@ -73,38 +103,29 @@ use crate::lane::{Lane, Lanes};
 /// # Ok::<(), LawError>(())
 /// ```
 pub trait Law: 'static {
+    /// What remains of the properties once radii and masses are known.
+    type Params: Parameters;
+    /// Contact history, `[f64; N]`: as many numbers as `META.slots`, in that order. A slot that the settings do not call for
+    /// is zero, and what is written to it is lost.
+    type History: Slots;
     /// What the law says of itself.
     const META: Meta;
     /// How it stands in LIGGGHTS; a law of another crate needs none.
     const LIGGGHTS: Binding = Binding::NONE;
-    /// What a pair of atom types decides.
-    type Coeffs: Copy + Send;
-    /// What remains once radii and masses are known; reused as long as they stay the same.
-    type Params: Lanes<Of<f64> = Self::Params> + Send;
-    /// Contact history, `[f64; N]`: as many numbers as `META.slots`, in that order. A slot that the settings do not call for
-    /// is zero, and what is written to it is lost.
-    type History: Slots;
 
-    /// Mix the properties of a type pair, once per run. Ranges and missing values are already checked.
-    ///
-    /// # Errors
-    /// Combinations that make no sense.
-    fn coeffs(pair: &Pair<'_>) -> Result<Self::Coeffs, LawError>;
     /// What the user should know about a type pair that is allowed but asks for trouble.
     fn remarks(_: &Pair<'_>) -> Vec<String> {
         Vec::new()
     }
-    /// The parameters of a contact between two sizes.
-    fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
     /// The surfaces overlap. The hot function, for as many contacts as the lane is wide; `call` is the same for all.
-    fn surfaces_intersect<L: Lane>(
+    fn intersect<L: Lane>(
         p: &<Self::Params as Lanes>::Of<L>,
         call: &Call,
         x: &Surface<L>,
         h: &mut <Self::History as Lanes>::Of<L>,
         s: &mut Response<L>,
     );
-    /// What a study wants to know of the contact, before `touch` is called on it.
+    /// What a study wants to know of the contact, before `intersect` is called on it.
     fn observe(p: &Self::Params, x: &Contact, h: &Self::History) -> Observation;
 }
 
@@ -121,7 +142,7 @@ pub trait GapLaw: 'static {
     /// Contact history: a plain struct of as many `f64` as `META.slots`, or `[f64]` where settings decide which are kept.
     type History: Memory + ?Sized;
 
-    /// As [`Law::coeffs`].
+    /// As [`Parameters::coeffs`].
     ///
     /// # Errors
     /// Combinations that make no sense.
@@ -132,7 +153,7 @@ pub trait GapLaw: 'static {
     }
     /// How far the law acts \[m\], from centre to centre or from a centre to a wall.
     fn reach(c: &Self::Coeffs, is_wall: bool) -> f64;
-    /// As [`Law::params`].
+    /// As [`Parameters::new`].
     fn params(c: &Self::Coeffs, size: &Size) -> Self::Params;
     /// Two bodies near each other, whether or not surfaces overlap.
     fn interact(p: &Self::Params, x: &ClosePair, h: &mut Self::History, s: &mut Response, e: &mut Effects);

@@ -3,7 +3,7 @@ use super::matter::Matter;
 use super::shot::{Outcome, Shot};
 use granlaw::lane::{dot, Lanes};
 use granlaw::laws::made;
-use granlaw::model::{Body, Call, ForLanes, Law, Response, Setup, Size, Slots, Surface};
+use granlaw::model::{Body, Call, ForLanes, Law, Parameters, Response, Setup, Size, Slots, Surface};
 use nalgebra::Vector3;
 
 /// A law in single precision, with a common interface for laws whose coefficients have different types.
@@ -18,7 +18,7 @@ struct Prepared<W: Law> {
 
 impl<W: Law> Kernel for Prepared<W> {
     fn surfaces_intersect(&mut self, call: &Call, x: &Surface<f32>, s: &mut Response<f32>) {
-        W::surfaces_intersect(&self.params, call, x, &mut self.history, s);
+        W::intersect(&self.params, call, x, &mut self.history, s);
     }
 }
 
@@ -30,7 +30,7 @@ impl ForLanes for Single {
     type Made = fn(&Setup, &Size) -> Option<Box<dyn Kernel>>;
     fn make<W: Law>() -> Self::Made {
         |setup, size| {
-            let params = W::params(&W::coeffs(&setup.pair(0, 0)).ok()?, size);
+            let params = W::Params::new(&W::Params::coeffs(&setup.pair(0, 0)).ok()?, size);
             let params = W::Params::side_by_side::<f32>(|_| params);
             Some(Box::new(Prepared::<W> { params, history: W::History::zero::<f32>() }))
         }

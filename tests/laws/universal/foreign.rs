@@ -1,7 +1,7 @@
 //! A law that is not in `LAWS`, as another crate would have it: put into a chain with laws of ours, it reads what the normal
 //! law hands on, keeps a slot that a setting adds, and gives every atom a number.
 use granlaw::chain::Chain;
-use granlaw::lane::Lane;
+use granlaw::lane::{Lane, Lanes};
 use granlaw::laws::find;
 use granlaw::model::*;
 use nalgebra::Vector3;
@@ -9,34 +9,36 @@ use nalgebra::Vector3;
 /// A spring whose adhesion is handed on.
 struct Sticky;
 
+#[derive(Clone, Copy, Lanes)]
+struct Params<L = f64> {
+    k: L,
+}
+
+impl Parameters for Params {
+    type Coeffs = f64;
+    fn coeffs(p: &Pair<'_>) -> Result<f64, LawError> {
+        Ok(p.get("kSticky"))
+    }
+    fn new(k: &f64, _: &Size) -> Params {
+        Params { k: *k }
+    }
+}
+
 impl Law for Sticky {
+    type Params = Params;
+    type History = [f64; 0];
     const META: Meta = Meta {
         props: &[Prop::new("kSticky", "k", Shape::PerPair, Unit::N_PER_M, Range::above(0.0), "stiffness")],
         publishes: &[Channel::Kc, Channel::Fo],
         ..Meta::new(Kind::Normal, "sticky", "a spring that tells its adhesion")
     };
-    type Coeffs = f64;
-    type Params = [f64; 1];
-    type History = [f64; 0];
 
-    fn coeffs(p: &Pair<'_>) -> Result<f64, LawError> {
-        Ok(p.get("kSticky"))
-    }
-    fn params(k: &f64, _: &Size) -> [f64; 1] {
-        [*k]
-    }
-    fn surfaces_intersect<L: Lane>(
-        [k]: &[L; 1],
-        _: &Call,
-        x: &Surface<L>,
-        _: &mut [L; 0],
-        s: &mut Response<L>,
-    ) {
-        (s.fn_, s.kn, s.kc, s.fo) = (*k * x.deltan, *k, L::splat(0.5) * *k, *k * x.deltan);
+    fn intersect<L: Lane>(p: &Params<L>, _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+        (s.fn_, s.kn, s.kc, s.fo) = (p.k * x.deltan, p.k, L::splat(0.5) * p.k, p.k * x.deltan);
         s.force += x.en * s.fn_;
     }
-    fn observe([k]: &[f64; 1], _: &Contact, _: &[f64; 0]) -> Observation {
-        Observation { branch: "spring", stiffness: *k, ..Observation::default() }
+    fn observe(p: &Params, _: &Contact, _: &[f64; 0]) -> Observation {
+        Observation { branch: "spring", stiffness: p.k, ..Observation::default() }
     }
 }
 
@@ -44,27 +46,16 @@ impl Law for Sticky {
 struct Grip;
 
 impl Law for Grip {
+    type Params = ();
+    type History = [f64; 1];
     const META: Meta = Meta {
         settings: &[Setting::off("count", "keep the number of evaluations")],
         slots: &[Slot { need: Need::When("count", "on"), ..Slot::even("evaluations", Unit::ONE) }],
         reads: &[Channel::Kc, Channel::Fo],
         ..Meta::new(Kind::Tangential, "grip", "friction by the adhesion")
     };
-    type Coeffs = ();
-    type Params = ();
-    type History = [f64; 1];
 
-    fn coeffs(_: &Pair<'_>) -> Result<(), LawError> {
-        Ok(())
-    }
-    fn params(_: &(), _: &Size) {}
-    fn surfaces_intersect<L: Lane>(
-        _: &(),
-        call: &Call,
-        x: &Surface<L>,
-        [n]: &mut [L; 1],
-        s: &mut Response<L>,
-    ) {
+    fn intersect<L: Lane>(_: &(), call: &Call, x: &Surface<L>, [n]: &mut [L; 1], s: &mut Response<L>) {
         if call.update {
             *n += L::splat(1.0);
         }

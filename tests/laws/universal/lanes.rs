@@ -56,8 +56,8 @@ fn handed_on(c: &Case) -> Response {
 }
 
 fn params<W: Law>(r: &Recipe, c: &Case) -> W::Params {
-    let coeffs = W::coeffs(&r.setups[0].pair(c.types.0, c.types.1)).expect("usual values");
-    W::params(&coeffs, &c.contact.close.size())
+    let coeffs = W::Params::coeffs(&r.setups[0].pair(c.types.0, c.types.1)).expect("usual values");
+    W::Params::new(&coeffs, &c.contact.close.size())
 }
 
 fn one_by_one<W: Law>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits> {
@@ -65,7 +65,7 @@ fn one_by_one<W: Law>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits> {
         let mut h = W::History::zero::<f64>();
         W::History::lanes_mut::<f64>(&mut h).copy_from_slice(&c.history);
         let mut s = handed_on(c);
-        W::surfaces_intersect::<f64>(&params::<W>(r, c), call, &c.contact.surface, &mut h, &mut s);
+        W::intersect::<f64>(&params::<W>(r, c), call, &c.contact.surface, &mut h, &mut s);
         bits(&s, W::History::lanes::<f64>(&h), 0)
     };
     cases.iter().map(one).collect()
@@ -101,7 +101,7 @@ fn at_once<W: Law, L: Lane>(r: &Recipe, call: &Call, cases: &[Case]) -> Vec<Bits
     for (k, slot) in W::History::lanes_mut::<L>(&mut h).iter_mut().enumerate() {
         *slot = number(&|c| c.history[k]);
     }
-    W::surfaces_intersect::<L>(&W::Params::side_by_side::<L>(|k| params[k]), call, &x, &mut h, &mut s);
+    W::intersect::<L>(&W::Params::side_by_side::<L>(|k| params[k]), call, &x, &mut h, &mut s);
     (0..L::WIDTH).map(|k| bits(&s, W::History::lanes(&h), k)).collect()
 }
 
@@ -165,16 +165,11 @@ fn lanes_answer_as_single_contacts_do_to_the_last_bit() {
 struct AllSlip;
 
 impl Law for AllSlip {
-    const META: Meta = NoHistory::META;
-    type Coeffs = ();
     type Params = ();
     type History = [f64; 0];
+    const META: Meta = NoHistory::META;
 
-    fn coeffs(_: &Pair<'_>) -> Result<(), LawError> {
-        Ok(())
-    }
-    fn params(_: &(), _: &Size) {}
-    fn surfaces_intersect<L: Lane>(_: &(), _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
+    fn intersect<L: Lane>(_: &(), _: &Call, x: &Surface<L>, _: &mut [L; 0], s: &mut Response<L>) {
         let speed = granlaw::lane::norm(&x.vtr);
         let coulomb = L::splat(0.1) * s.fn_.abs();
         let viscous = s.gammat * speed;
