@@ -106,7 +106,7 @@ static granlaw_surfaces_intersect_data contact(double delta, double vn, double v
 }
 
 static void begin(granlaw_chain *chain, int64_t step) {
-  const granlaw_pass pass = {DT, step, x, tag, NULL, 0, 2, {NULL}};
+  const granlaw_pass pass = {DT, step, x, tag, NULL, 0, 2, {NULL}, {NULL}};
   EXPECT(granlaw_begin_pass(chain, &pass) == GRANLAW_OK);
 }
 

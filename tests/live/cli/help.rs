@@ -113,6 +113,7 @@ fn laws_as_json_hold_all_that_the_laws_say_of_themselves() {
         "keyword": "cdt/rs",
         "kind": "rolling",
         "per_atom": [],
+        "per_atom_output": [],
         "properties": [
           {
             "doc": "coefficient of rolling friction",
