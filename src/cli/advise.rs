@@ -5,7 +5,7 @@ use granlaw_tools::advise::check::{check, with, CheckError, Deeds, Runner};
 use granlaw_tools::advise::fresh::fresh;
 use granlaw_tools::advise::rewrite::rewrite;
 use granlaw_tools::advise::seeds::seeds;
-use granlaw_tools::advise::{self, rules, Found, Options, Rung, Scene};
+use granlaw_tools::advise::{self, rules, Candidate, Found, Options, Scene};
 use granlaw_tools::codes;
 use granlaw_tools::codes::liggghts::{Liggghts, Plugin};
 use granlaw_tools::deck::Deck;
@@ -149,9 +149,9 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
     let probe = runner.probe(&text, true)?;
     eprintln!("granlaw: models and steps are tried on its contacts");
     let (advice, scene) = advise::advise(&probe, options)?;
-    let rung = advice.chosen.map(|k| advice.ladder[k].clone());
+    let candidate = advice.chosen.map(|k| advice.ladder[k].clone());
     let mut found = Found { advice, check: None, fresh: None };
-    let Some(rung) = rung else { return Ok((found, probe, about)) };
+    let Some(candidate) = candidate else { return Ok((found, probe, about)) };
     let held_out = args.held_out && !scene.groups.is_empty();
     if args.held_out && !held_out {
         eprintln!("granlaw: nothing was tried, so there is nothing to hold fresh contacts against");
@@ -164,10 +164,10 @@ fn on_deck(args: &Args, options: Options) -> anyhow::Result<(Found, Probe, About
     let others = again(&runner, &text, &probe, (name, &values), held_out)?;
     if let Some(other) = others.first().filter(|_| held_out) {
         let run = format!("{name}={value}");
-        found.fresh = Some(fresh(&Scene::of(other)?, &scene, &rung, &run, &options)?);
+        found.fresh = Some(fresh(&Scene::of(other)?, &scene, &candidate, &run, &options)?);
     }
     let did = Deeds { first: &probe, others: &others, variable: name, values: &values[..many] };
-    advised(args, &runner, &text, (&scene, &rung), did, &mut found)?;
+    advised(args, &runner, &text, (&scene, &candidate), did, &mut found)?;
     Ok((found, probe, about))
 }
 
@@ -202,13 +202,13 @@ fn advised(
     args: &Args,
     runner: &Runner<'_>,
     text: &str,
-    (scene, rung): (&Scene, &Rung),
+    (scene, candidate): (&Scene, &Candidate),
     did: Deeds<'_>,
     found: &mut Found,
 ) -> anyhow::Result<()> {
     let made = match &args.advised {
         Some(path) => read(path)?,
-        None if args.check || args.write_deck.is_some() => rewrite(text, scene, rung)?,
+        None if args.check || args.write_deck.is_some() => rewrite(text, scene, candidate)?,
         None => return Ok(()),
     };
     if let Some(path) = &args.write_deck {
@@ -223,7 +223,7 @@ fn advised(
     }
     eprintln!("granlaw: the advised deck runs with a probe, then both run without");
     // A deck from the user may hold anything; it is only judged by what it does.
-    let expected = Some(rung).filter(|_| args.advised.is_none());
+    let expected = Some(candidate).filter(|_| args.advised.is_none());
     found.check = Some(check(runner, (text, &made), did, expected, args.bound)?);
     Ok(())
 }

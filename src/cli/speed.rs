@@ -5,7 +5,7 @@ use clap::builder::PossibleValuesParser;
 use granlaw_tools::codes;
 use granlaw_tools::report::page::{check_page_target, write_page, Page};
 use granlaw_tools::report::Outcome;
-use granlaw_tools::study::live::Bench;
+use granlaw_tools::study::in_liggghts::Bench;
 use granlaw_tools::study::{speed, Options};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -101,14 +101,14 @@ fn what_others_put_there_stays() {
 
 #[test]
 fn destdir_is_a_root_of_its_own() {
-    let response = tempfile::tempdir().unwrap();
+    let stage = tempfile::tempdir().unwrap();
     let prefix = Path::new("/opt/granlaw");
-    must(install(prefix).env("DESTDIR", response.path()));
-    let pc = fs::read_to_string(response.path().join("opt/granlaw/lib/pkgconfig/granlaw.pc")).unwrap();
+    must(install(prefix).env("DESTDIR", stage.path()));
+    let pc = fs::read_to_string(stage.path().join("opt/granlaw/lib/pkgconfig/granlaw.pc")).unwrap();
     assert!(pc.starts_with("prefix=/opt/granlaw\n"), "{pc}");
     assert!(!prefix.exists());
-    must(script("uninstall.sh", prefix).env("DESTDIR", response.path()));
-    assert_eq!(below(response.path()), set(&["opt/granlaw"]));
+    must(script("uninstall.sh", prefix).env("DESTDIR", stage.path()));
+    assert_eq!(below(stage.path()), set(&["opt/granlaw"]));
 }
 
 #[test]

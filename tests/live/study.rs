@@ -2,8 +2,8 @@
 use crate::built::{built, here};
 use granlaw::critical::rayleigh;
 use granlaw_tools::codes::liggghts::{Liggghts, Plugin};
-use granlaw_tools::study::live::{Bench, Who};
-use granlaw_tools::study::shot::Shot;
+use granlaw_tools::study::collision::Collision;
+use granlaw_tools::study::in_liggghts::{Bench, Who};
 use granlaw_tools::study::speed::{cases, Method, Truth};
 use granlaw_tools::study::stability::{ask, choose, field, onset, Class, Place, Row, Scene};
 use std::time::Duration;
@@ -35,7 +35,7 @@ fn order(bench: &Bench, name: &str, who: Who, coarse: f64) -> f64 {
     let error = |n: f64| {
         let n = n + 0.37;
         let run = (truth.outcome.duration / n, (3.0 * n) as u64);
-        let all = bench.shoot(&matter, &[case.shot], who, run, &before).unwrap();
+        let all = bench.collide(&matter, &[case.collision], who, run, &before).unwrap();
         all.iter().map(|o| (case.measure.of(o) - truth.value).abs()).sum::<f64>() / 64.0
     };
     (error(coarse) / error(8.0 * coarse)).log2() / 3.0
@@ -84,13 +84,13 @@ fn energy_grows_75_fold_while_the_check_of_liggghts_is_silent() {
     let Some(bench) = bench("energy_grows_75_fold_while_the_check_of_liggghts_is_silent") else { return };
     let field = field("k2max").expect("a field");
     let matter = field.rows[0].matter.clone().with("coefficientMaxElasticStiffness", 100.0);
-    let shot = Shot { speed: 2.0, ..field.rows[0].shots[0] };
-    let row = Row::new(100.0, matter, vec![shot], Scene::Impact);
-    let dt = 0.2 * rayleigh(shot.radius, shot.density, 5e6, 0.45);
+    let collision = Collision { speed: 2.0, ..field.rows[0].collisions[0] };
+    let row = Row::new(100.0, matter, vec![collision], Scene::Impact);
+    let dt = 0.2 * rayleigh(collision.radius, collision.density, 5e6, 0.45);
     assert!(dt <= row.warns * (1.0 + 1e-12), "the check is silent");
     let before = row.before(32);
     let steps = row.length(dt);
-    let theirs = bench.shoot(&row.matter, &row.shots, Who::Stock, (dt, steps), &before).unwrap();
+    let theirs = bench.collide(&row.matter, &row.collisions, Who::Stock, (dt, steps), &before).unwrap();
     let (ours, theirs) = (row.at(dt / row.unit(), 32).energy, row.judge(&theirs, 32).energy);
     assert!((70.0..80.0).contains(&theirs), "{theirs}");
     approx::assert_relative_eq!(ours, theirs, max_relative = 1e-6);
@@ -112,6 +112,6 @@ fn another_law_in_liggghts_is_seen() {
     field.rows[row].matter = matter;
     let r = &field.rows[row];
     let run = (place.step * unit, r.length(place.step * unit));
-    let outcomes = bench.shoot(&r.matter, &r.shots, Who::Stock, run, &before).unwrap();
+    let outcomes = bench.collide(&r.matter, &r.collisions, Who::Stock, run, &before).unwrap();
     assert_ne!(r.class(place.step, &r.judge(&outcomes, 16)), ours);
 }

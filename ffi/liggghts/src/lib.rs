@@ -8,10 +8,10 @@ mod batch;
 #[allow(non_camel_case_types, missing_docs)]
 #[rustfmt::skip]
 mod boundary;
+mod parting_words;
 mod probe;
 mod recorder;
 mod shadow;
-mod text;
 
 #[cfg(liggghts)]
 #[used]

@@ -1,6 +1,6 @@
 //! Checks advice on the whole scene: the deck and the advised deck run, and their bulk observables and times are compared.
 use super::bulk::{compare, Observable};
-use super::ladder::Rung;
+use super::ladder::Candidate;
 use super::rewrite::RewriteError;
 use crate::codes::liggghts::{Laws, Liggghts, Plugin, Preload};
 use crate::codes::{run, Folder, Ran, Run, RunError};
@@ -146,12 +146,12 @@ pub struct Deeds<'a> {
 /// Runs the advised deck as often as the deck, and compares.
 ///
 /// # Errors
-/// A run fails, or the advised deck is not what `rung` says; where `rung` is `None` it is taken as it is.
+/// A run fails, or the advised deck is not what `candidate` says; where `candidate` is `None` it is taken as it is.
 pub fn check(
     runner: &Runner<'_>,
     (deck, advised): (&str, &str),
     did: Deeds<'_>,
-    rung: Option<&Rung>,
+    candidate: Option<&Candidate>,
     bound: f64,
 ) -> Result<Check, CheckError> {
     let varied = did.values.iter().map(|v| with(advised, did.variable, v));
@@ -160,8 +160,8 @@ pub fn check(
     let long = |p: &Probe| p.bulk.samples.last().map_or(0.0, |s| s.time);
     let a = long(did.first);
     for run in &runs {
-        if let Some(rung) = rung {
-            as_advised(run, rung).map_err(CheckError::Other)?;
+        if let Some(candidate) = candidate {
+            as_advised(run, candidate).map_err(CheckError::Other)?;
         }
         let b = long(run);
         if (a - b).abs() > 0.01 * a {
@@ -172,17 +172,17 @@ pub fn check(
     let seconds: Vec<_> = runs.iter().map(|p| &p.bulk).collect();
     let observables = compare(&firsts[..runs.len()], &seconds, firsts.get(1).copied());
     let seconds = [runner.time(deck)?, runner.time(advised)?];
-    let predicted = rung.and_then(|r| r.predicted);
+    let predicted = candidate.and_then(|r| r.predicted);
     Ok(Check { advised: advised.into(), runs: runs.len(), observables, bound, seconds, predicted })
 }
 
 /// Whether LIGGGHTS resolved the laws, coefficients and step that were advised.
-fn as_advised(probe: &Probe, rung: &Rung) -> Result<(), String> {
+fn as_advised(probe: &Probe, candidate: &Candidate) -> Result<(), String> {
     for c in probe.principal() {
-        let Some(h) = rung.chains.iter().find(|h| h.who == c.header.who) else {
+        let Some(h) = candidate.chains.iter().find(|h| h.who == c.header.who) else {
             return Err(format!("there is a chain {}", c.header.who));
         };
-        let step = rung.step.unwrap_or(h.dt);
+        let step = candidate.step.unwrap_or(h.dt);
         if (c.header.dt / step - 1.0).abs() > 1e-5 {
             return Err(format!("{}: the time step is {} s, not {step} s", h.who, c.header.dt));
         }

@@ -1,8 +1,8 @@
 //! Which classes of contacts count, and what they are called.
 use super::group::{Contacts, Group};
-use super::held::Held;
-use super::lived::Rebound;
+use super::loaded::Held;
 use super::rules::{COVERED, IMPORTANT};
+use super::simulated::Rebound;
 use crate::probe::{self, Class, Drawn, Impact, Pressed, TypePair};
 
 /// Removes the classes that do not count. Those with a large enough share stay, and then the largest of the others until the scene is

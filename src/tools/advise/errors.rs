@@ -1,6 +1,6 @@
 //! The errors of a chain on contacts that are repeated.
-use super::held::Held;
-use super::lived::Rebound;
+use super::loaded::Held;
+use super::simulated::Rebound;
 use crate::probe::{Impact, Pressed};
 use serde::Serialize;
 

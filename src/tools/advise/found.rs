@@ -2,7 +2,7 @@
 use super::check::Check;
 use super::fresh::Fresh;
 use super::group::Group;
-use super::ladder::Rung;
+use super::ladder::Candidate;
 use super::lines::Line;
 use super::options::Options;
 use super::rank::Term;
@@ -26,7 +26,7 @@ pub struct Advice {
     /// Laws that act across gaps, in words, with how much they were at work.
     pub untried: Vec<String>,
     /// The models on trial; the first is the deck as it is.
-    pub ladder: Vec<Rung>,
+    pub ladder: Vec<Candidate>,
     /// Index of the recommended model in `ladder`; `None` if not even the deck's own is good enough in any step.
     pub chosen: Option<usize>,
     /// Lines for the deck.

@@ -1,7 +1,7 @@
 //! Checks advice on contacts that it was not made from: those of another run of the scene.
 use super::errors::Errors;
 use super::group::Contacts;
-use super::ladder::{trial, Rung};
+use super::ladder::{trial, Candidate};
 use super::options::Options;
 use super::rules::HELD_OUT;
 use super::scene::Scene;
@@ -51,14 +51,20 @@ impl Fresh {
 ///
 /// # Errors
 /// A law refuses.
-pub fn fresh(other: &Scene, deck: &Scene, rung: &Rung, run: &str, o: &Options) -> Result<Fresh, HeaderError> {
+pub fn fresh(
+    other: &Scene,
+    deck: &Scene,
+    candidate: &Candidate,
+    run: &str,
+    o: &Options,
+) -> Result<Fresh, HeaderError> {
     let chains = other.chains.iter().map(|c| {
         let at = deck.chains.iter().position(|d| d.who == c.who);
         // There is no advice on a chain that the first run never used; it stays as it is.
-        at.map_or_else(|| c.clone(), |k| rung.chains[k].clone())
+        at.map_or_else(|| c.clone(), |k| candidate.chains[k].clone())
     });
     let chains: Vec<_> = chains.collect();
-    let tried = trial(other, &chains, rung.step.unwrap_or(deck.dt()), (None, |_| 1.0), o)?;
+    let tried = trial(other, &chains, candidate.step.unwrap_or(deck.dt()), (None, |_| 1.0), o)?;
     let classes = other.groups.iter().zip(&tried.errors).map(|(g, e)| Class {
         name: g.name.clone(),
         impacts: matches!(g.contacts, Contacts::Impacts(_)),

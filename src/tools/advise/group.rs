@@ -1,6 +1,6 @@
 //! A class of contacts that is tried, with its examples.
-use super::held::Held;
-use super::lived::Rebound;
+use super::loaded::Held;
+use super::simulated::Rebound;
 use crate::probe::{Impact, Pressed};
 use serde::Serialize;
 

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 /// A model on trial.
 #[derive(Clone, Debug, Serialize)]
-pub struct Rung {
+pub struct Candidate {
     /// Its changes to the deck.
     pub changes: Vec<Change>,
     /// The chains.
@@ -46,7 +46,7 @@ pub struct Trial {
     pub omega: f64,
 }
 
-impl Rung {
+impl Candidate {
     /// Its changes in words.
     pub fn name(&self) -> String {
         if self.changes.is_empty() {
@@ -56,7 +56,7 @@ impl Rung {
     }
 }
 
-impl Rung {
+impl Candidate {
     /// Its size, by which the simplest model is chosen: numbers of laws, of history slots, and of changes to the deck.
     pub(super) fn size(&self) -> (usize, usize, usize) {
         let sum = |of: fn(&Header) -> usize| self.chains.iter().map(of).sum();
@@ -65,24 +65,24 @@ impl Rung {
 }
 
 /// All models: the deck as it is, every single change, and every combination of those changes that hold alone.
-pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Rung>, HeaderError> {
-    let mut rungs = vec![rung(scene, o, Vec::new(), &[])?];
+pub(super) fn climb(scene: &Scene, o: &Options) -> Result<Vec<Candidate>, HeaderError> {
+    let mut candidates = vec![candidate(scene, o, Vec::new(), &[])?];
     let (stay, tried): (Vec<_>, Vec<_>) = (0..scene.chains.len()).partition(|k| scene.stays(*k));
     let tried: Vec<_> = tried.into_iter().map(|k| scene.chains[k].clone()).collect();
     // A fitted property belongs to all chains, so fitting it would also change a chain that is to stay as it is.
     for c in simpler(&tried).into_iter().filter(|c| stay.is_empty() || !fits(c)) {
-        rungs.push(rung(scene, o, vec![c], &[])?);
+        candidates.push(candidate(scene, o, vec![c], &[])?);
     }
-    let good: Vec<_> = rungs[1..].iter().filter(|r| r.holds).map(|r| r.changes[0].clone()).collect();
+    let good: Vec<_> = candidates[1..].iter().filter(|r| r.holds).map(|r| r.changes[0].clone()).collect();
     for many in combinations(&good) {
-        let next = rung(scene, o, many, &rungs)?;
-        rungs.push(next);
+        let next = candidate(scene, o, many, &candidates)?;
+        candidates.push(next);
     }
-    let (cost, dt) = (rungs[0].cost, scene.dt());
-    for r in &mut rungs {
-        r.predicted = r.step.map(|step| scene.pace.relative((cost, r.cost), dt / step));
+    let (cost, dt) = (candidates[0].cost, scene.dt());
+    for r in &mut candidates {
+        r.predicted = r.step.map(|step| scene.run_time.relative((cost, r.cost), dt / step));
     }
-    Ok(rungs)
+    Ok(candidates)
 }
 
 /// Whether a change comes with properties that are fitted.
@@ -91,7 +91,12 @@ fn fits(c: &Change) -> bool {
 }
 
 /// Tries these changes. If one of them was fitted before, that fit is kept.
-fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Result<Rung, HeaderError> {
+fn candidate(
+    scene: &Scene,
+    o: &Options,
+    changes: Vec<Change>,
+    before: &[Candidate],
+) -> Result<Candidate, HeaderError> {
     let fitted = before
         .iter()
         .find(|r| r.changes.len() == 1 && fits(&r.changes[0]) && changes.contains(&r.changes[0]));
@@ -102,7 +107,7 @@ fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Re
         };
         chains = chains.iter().enumerate().map(changed).collect();
     }
-    let none = |why: HeaderError, chains| Rung {
+    let none = |why: HeaderError, chains| Candidate {
         changes: changes.clone(),
         chains,
         model: Trial::default(),
@@ -124,7 +129,7 @@ fn rung(scene: &Scene, o: &Options, changes: Vec<Change>, before: &[Rung]) -> Re
     let holds = within(&model, o);
     let (step, at_step) = if holds { largest(scene, &chains, &model, o)? } else { (None, None) };
     let cost = cost::per_contact(scene, &chains)?;
-    Ok(Rung { changes, chains, model, holds, step, at_step, cost, predicted: None, refused: None })
+    Ok(Candidate { changes, chains, model, holds, step, at_step, cost, predicted: None, refused: None })
 }
 
 /// The largest step up to which every class is within the accuracy in all steps that are tried.

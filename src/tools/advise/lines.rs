@@ -1,5 +1,5 @@
 //! Advice as lines for the deck.
-use super::ladder::Rung;
+use super::ladder::Candidate;
 use super::scene::Scene;
 use crate::trace::{Header, LawSpec, Property};
 use granlaw::laws::find;
@@ -16,9 +16,9 @@ pub struct Line {
 }
 
 /// The lines that turn the deck into a model of the ladder; lines that stay as they are are left out.
-pub(super) fn lines(scene: &Scene, rung: &Rung) -> Vec<Line> {
+pub(super) fn lines(scene: &Scene, candidate: &Candidate) -> Vec<Line> {
     let mut all = Vec::new();
-    for (was, is) in scene.chains.iter().zip(&rung.chains) {
+    for (was, is) in scene.chains.iter().zip(&candidate.chains) {
         if spoken(was) != spoken(is) {
             let wall = is.who.strip_prefix("walls ").or(is.who.strip_prefix("wall "));
             all.push(match wall {
@@ -35,14 +35,14 @@ pub(super) fn lines(scene: &Scene, rung: &Rung) -> Vec<Line> {
             });
         }
     }
-    for p in properties(&scene.chains, &rung.chains) {
+    for p in properties(&scene.chains, &candidate.chains) {
         let per =
             if p.shape == "peratomtypepair" { format!(" {}", scene.chains[0].types) } else { String::new() };
         let values: Vec<_> = p.values.iter().map(f64::to_string).collect();
         let text = format!("property/global {} {}{per} {}", p.name, p.shape, values.join(" "));
         all.push(Line { text, place: format!("in the fix with {}, or in a new one", p.name) });
     }
-    if let Some(step) = rung.step.filter(|s| *s != scene.dt()) {
+    if let Some(step) = candidate.step.filter(|s| *s != scene.dt()) {
         let text = format!("timestep {}", number(step));
         let many = scene.dt() / step;
         all.push(Line {

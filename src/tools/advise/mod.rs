@@ -13,33 +13,33 @@ mod fit;
 mod found;
 pub mod fresh;
 mod group;
-pub mod held;
 mod ladder;
 mod lines;
-pub mod lived;
+pub mod loaded;
 mod options;
-mod pace;
 mod page;
 mod rank;
 mod reasons;
 pub mod rewrite;
 pub mod rules;
+mod run_time;
 mod scene;
 pub mod seeds;
-mod text;
+pub mod simulated;
+mod terminal;
 
 pub use change::Change;
 pub use errors::Errors;
 pub use found::{Advice, Found};
 pub use group::{Contacts, Group};
-pub use ladder::{Rung, Trial};
+pub use ladder::{Candidate, Trial};
 pub use lines::Line;
 pub use options::Options;
-pub use pace::Pace;
 pub use page::page;
 pub use rank::{rank, Term};
+pub use run_time::RunTime;
 pub use scene::Scene;
-pub use text::text;
+pub use terminal::text;
 
 use crate::probe::Probe;
 use crate::trace::HeaderError;
@@ -135,7 +135,7 @@ fn measured(c: &crate::probe::Contacts, law: &str) -> String {
 }
 
 /// The index of the simplest of the models that hold and whose predicted time is about the least.
-fn choose(ladder: &[Rung]) -> Option<usize> {
+fn choose(ladder: &[Candidate]) -> Option<usize> {
     let time = |k: &usize| ladder[*k].predicted.unwrap_or(f64::INFINITY);
     let holding = || (0..ladder.len()).filter(|k| time(k).is_finite());
     let least = holding().map(|k| time(&k)).fold(f64::INFINITY, f64::min);

@@ -1,7 +1,7 @@
 //! Advice as a document: what to put into the deck, the ladder of models, the classes, the histograms, the proofs.
-use super::ladder::Rung;
+use super::ladder::Candidate;
 use super::lines::{number, percent};
-use super::{text, Found};
+use super::{terminal, Found};
 use crate::probe::{Histogram, Probe, Sample, TypePair};
 use crate::report::page::{Cell, Chart, Item, Mark, Page, Section, Spread, Table, Trend};
 use crate::report::{About, Check, Outcome, Shows, Tolerance, Worst};
@@ -25,11 +25,11 @@ fn headline(found: &Found) -> String {
     match a.chosen.map(|k| &a.ladder[k]) {
         None => format!("{}: no model that was tried is within {}", a.deck, percent(a.options.accuracy)),
         Some(_) if a.lines.is_empty() => format!("{}: keep the deck as it is", a.deck),
-        Some(r) => format!("{}: {}, {}", a.deck, named(r), text::gain(r)),
+        Some(r) => format!("{}: {}, {}", a.deck, named(r), terminal::gain(r)),
     }
 }
 
-fn named(r: &Rung) -> String {
+fn named(r: &Candidate) -> String {
     let step = r.step.map_or(String::new(), |s| format!(" with a step of {} s", number(s)));
     format!("{}{step}", if r.changes.is_empty() { "the laws as they are".into() } else { r.name() })
 }
@@ -70,13 +70,14 @@ fn advice(found: &Found) -> Section {
 /// Error over cost of the models. The deck's own is ringed, and so are those that no other beats in both.
 fn ladder(found: &Found) -> Section {
     let a = &found.advice;
-    let error = |r: &Rung| r.model.worst.map_or(f64::NAN, |w| w.1);
-    let beaten = |r: &Rung| {
-        let better =
-            |o: &&Rung| error(o) <= error(r) && o.cost <= r.cost && (error(o), o.cost) != (error(r), r.cost);
+    let error = |r: &Candidate| r.model.worst.map_or(f64::NAN, |w| w.1);
+    let beaten = |r: &Candidate| {
+        let better = |o: &&Candidate| {
+            error(o) <= error(r) && o.cost <= r.cost && (error(o), o.cost) != (error(r), r.cost)
+        };
         a.ladder.iter().any(|o| better(&o))
     };
-    let trend = |name: &str, of: &dyn Fn(&Rung) -> bool| Trend {
+    let trend = |name: &str, of: &dyn Fn(&Candidate) -> bool| Trend {
         name: name.into(),
         joined: false,
         marks: a
@@ -198,7 +199,7 @@ fn contacts(probe: &Probe) -> Section {
                     front: false,
                 })
                 .collect();
-            let note = of(p).mean().map_or(String::new(), |m| format!("mean {}", text::digits(m)));
+            let note = of(p).mean().map_or(String::new(), |m| format!("mean {}", terminal::digits(m)));
             let name = format!("{} {}-{}", c.header.who, p.types[0], p.types[1]);
             (!marks.is_empty()).then_some(Trend { name, note, joined: true, marks, ..Trend::default() })
         });
@@ -280,7 +281,7 @@ fn fresh(found: &Found) -> Section {
     });
     Section {
         title: format!("Fresh contacts of a run with {}", f.run),
-        text: vec![text::tallied(f)],
+        text: vec![terminal::tallied(f)],
         items: vec![table(
             "fresh",
             "The advised model on them",
@@ -314,7 +315,7 @@ fn checks(found: &Found) -> Vec<Check> {
     all.extend(found.fresh.as_ref().map(|f| Check {
         name: "fresh contacts".into(),
         shows: Shows::Physics,
-        outcome: outcome(f.holds(), text::tallied(f)),
+        outcome: outcome(f.holds(), terminal::tallied(f)),
         tolerance: None,
         worst: None,
     }));

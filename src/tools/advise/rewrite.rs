@@ -1,6 +1,6 @@
 //! The advised deck: the deck with some lines replaced. Only LIGGGHTS understands decks, so whether the result is what was
 //! advised is read from a probe of its run (see [`super::check`]).
-use super::ladder::Rung;
+use super::ladder::Candidate;
 use super::lines::{number, properties, spoken};
 use super::scene::Scene;
 use crate::trace::{Header, Property};
@@ -41,14 +41,14 @@ struct Command {
 ///
 /// # Errors
 /// The lines that have to change are not those of a plain deck.
-pub fn rewrite(deck: &str, scene: &Scene, rung: &Rung) -> Result<String, RewriteError> {
+pub fn rewrite(deck: &str, scene: &Scene, candidate: &Candidate) -> Result<String, RewriteError> {
     let mut all = commands(deck);
-    for (was, is) in scene.chains.iter().zip(&rung.chains) {
+    for (was, is) in scene.chains.iter().zip(&candidate.chains) {
         if spoken(was) != spoken(is) {
             models(&mut all, was, is)?;
         }
     }
-    let mut new: Vec<Property> = properties(&scene.chains, &rung.chains);
+    let mut new: Vec<Property> = properties(&scene.chains, &candidate.chains);
     new.retain(|p| !replaced(&mut all, p));
     let before = all.iter().position(|c| c.is(&["pair_style"])).unwrap_or(0);
     let fresh = new.iter().enumerate().map(|(k, p)| {
@@ -61,7 +61,7 @@ pub fn rewrite(deck: &str, scene: &Scene, rung: &Rung) -> Result<String, Rewrite
         }
     });
     all.splice(before..before, fresh);
-    if let Some(step) = rung.step.filter(|s| *s != scene.dt()) {
+    if let Some(step) = candidate.step.filter(|s| *s != scene.dt()) {
         let at = only(&all, "timestep", |c| c.is(&["timestep"]))?;
         all[at].set(1, number(step));
         let written: f64 = number(step).parse().unwrap_or(step);

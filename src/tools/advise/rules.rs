@@ -12,7 +12,7 @@
 //! error of that mean times [`sure`]. An error equal to the limit is within it. For contacts of another run the margin is one
 //! standard error.
 //!
-//! *When a term may be dropped.* When every class is within the accuracy without it. Observation that may each be dropped alone are then
+//! *When a term may be dropped.* When every class is within the accuracy without it. Terms that may each be dropped alone are then
 //! tried together, and they are only dropped together if that holds too.
 //!
 //! *The step.* Multiples of the deck's own ([`LARGER`]) are tried upwards while every class is within the accuracy, up to

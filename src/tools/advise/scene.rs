@@ -2,10 +2,10 @@
 use super::classes::{counting, Sums};
 use super::errors::{astray, wrong, Errors, Sure};
 use super::group::{Contacts, Group};
-use super::held::{hold, Held};
-use super::lived::{self, Rebound};
-use super::pace::Pace;
+use super::loaded::{hold, Held};
 use super::rules::{FINE, PHASES, STUCK};
+use super::run_time::RunTime;
+use super::simulated::{self, Rebound};
 use crate::probe::{Impact, Pressed, Probe};
 use crate::trace::{Header, HeaderError};
 use granlaw::chain::Chain;
@@ -31,7 +31,7 @@ pub struct Scene {
     /// Circular frequency of the stiffest contact \[rad/s\].
     pub omega: f64,
     /// How long the probed run took.
-    pub pace: Pace,
+    pub run_time: RunTime,
 }
 
 impl Scene {
@@ -68,7 +68,7 @@ impl Scene {
         let headers = chains.iter().map(|c| c.header.clone()).collect();
         let calls = chains.iter().map(|c| c.calls).collect();
         let mut scene =
-            Scene { chains: headers, calls, untried, groups, covered, omega, pace: Pace::of(probe) };
+            Scene { chains: headers, calls, untried, groups, covered, omega, run_time: RunTime::of(probe) };
         scene.live();
         Ok(scene)
     }
@@ -90,7 +90,7 @@ impl Scene {
 
     /// The step that counts as infinitely small \[s\].
     pub fn fine(&self) -> f64 {
-        lived::half_period(self.omega) / FINE
+        simulated::half_period(self.omega) / FINE
     }
 
     /// The time step of the run \[s\].
@@ -154,7 +154,7 @@ impl Bench {
 
     fn impact(&mut self, i: &Impact, dt: f64, phase: f64) -> Rebound {
         let longest = STUCK * i.end.steps as f64 * self.dt;
-        lived::impact(&mut self.chain, Some(&mut self.laws), i, (dt, phase, longest))
+        simulated::impact(&mut self.chain, Some(&mut self.laws), i, (dt, phase, longest))
     }
 
     fn errors(&mut self, g: &Group, dt: f64, sure: Sure) -> (Errors, f64) {

@@ -6,9 +6,9 @@ mod account;
 mod page;
 mod run;
 mod scene;
-mod text;
+mod terminal;
 
 pub use page::{load, page};
 pub use run::run;
 pub use scene::{Options, Scene, Side, Timed};
-pub use text::{summary, table};
+pub use terminal::{summary, table};

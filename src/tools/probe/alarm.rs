@@ -1,5 +1,5 @@
 //! Says when the time step is too long for a contact at hand.
-use super::{Fastest, Follower, Grains};
+use super::{Fastest, Follower, ParticleType};
 use granlaw::critical::{SAFE, SAFE_BOND};
 use granlaw::model::Kind;
 use granlaw::model::Mode;
@@ -39,7 +39,7 @@ impl Follower {
 
 impl Follower {
     /// The same for the bonds that two particles like these can have, before any bond has begun.
-    pub(super) fn bonds_alarm(&mut self, grains: &[Grains]) -> Option<String> {
+    pub(super) fn bonds_alarm(&mut self, grains: &[ParticleType]) -> Option<String> {
         let keyword = self.header().bonds()?.keyword.clone();
         let (dt, types, who) = (self.header().dt, self.header().types, self.header().who.clone());
         let wall = who != "pair";

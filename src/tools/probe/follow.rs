@@ -1,7 +1,7 @@
 //! Follows the contacts of one chain on one rank.
 use super::call::Call;
 use super::contacts::Contacts;
-use super::live::{Live, Over};
+use super::followed::{Live, Over};
 use super::tally::{Fastest, LawShare, TypePair};
 use super::work::Motion;
 use crate::trace::Header;

@@ -10,9 +10,9 @@ mod call;
 mod contacts;
 mod examples;
 mod follow;
-mod grains;
+mod followed;
 mod histogram;
-mod live;
+mod particle_types;
 mod particles;
 mod session;
 mod tally;
@@ -24,8 +24,8 @@ pub use call::Call;
 pub use contacts::Contacts;
 pub use examples::{Class, Drawn, End, Impact, Partners, Pressed, KEPT};
 pub use follow::{Follower, FOLLOWED};
-pub use grains::Grains;
 pub use histogram::{Bin, Histogram};
+pub use particle_types::ParticleType;
 pub use particles::Particles;
 pub use session::Session;
 pub use tally::{Branches, Counts, Directions, Fastest, Gaps, Impulse, LawShare, TypePair};
@@ -60,7 +60,7 @@ pub struct Probe {
     pub unseen: Vec<String>,
     /// The particles by type.
     #[serde(default)]
-    pub grains: Vec<Grains>,
+    pub grains: Vec<ParticleType>,
     /// The scene as a whole.
     pub bulk: Bulk,
 }
@@ -100,7 +100,7 @@ impl Probe {
         self.unseen.extend(other.unseen);
         self.unseen.sort();
         self.unseen.dedup();
-        grains::merge(&mut self.grains, &other.grains);
+        particle_types::merge(&mut self.grains, &other.grains);
         self.bulk.merge(other.bulk);
         self.seconds = self.seconds.max(other.seconds);
         self.times.merge(other.times);

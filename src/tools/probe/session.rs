@@ -1,7 +1,7 @@
 //! All chains of a run on one rank.
 use super::bulk::{Bulk, Clock, Sample};
 use super::follow::{Follower, FOLLOWED};
-use super::grains::{self, Grains};
+use super::particle_types::{self, ParticleType};
 use super::particles::Particles;
 use super::times::Stopwatch;
 use super::{Probe, FORMAT};
@@ -14,7 +14,7 @@ pub struct Session {
     /// Whether as many contacts are followed as there is room for.
     all: bool,
     ranks: usize,
-    grains: Vec<Grains>,
+    grains: Vec<ParticleType>,
     unseen: Vec<String>,
     bulk: Bulk,
     clock: Clock,
@@ -71,7 +71,7 @@ impl Session {
     /// The particles in a step for which [`Session::tick`] asked.
     pub fn sample(&mut self, step: i64, p: &Particles<'_>) {
         let mut s = Sample { step, time: self.clock.time, ..Sample::default() };
-        grains::sample(&mut self.grains, p);
+        particle_types::sample(&mut self.grains, p);
         for (k, size) in p.mass.iter().zip(p.radius).enumerate() {
             let at = 3 * k..3 * k + 3;
             s.particle((*size.0, *size.1), &p.x[at.clone()], &p.v[at.clone()], &p.omega[at]);

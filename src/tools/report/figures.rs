@@ -1,7 +1,7 @@
 //! The plots of a case.
 use super::axis::Axis;
+use super::escape::html as esc;
 use super::plot::{Plot, Series};
-use super::text::html as esc;
 use super::{Case, Curve};
 
 type Column = fn(&Curve) -> &[f64];

@@ -1,6 +1,6 @@
 //! The frame of a drawing: its place on the sheet, axes with ticks and grid.
 use super::axis::Axis;
-use super::text::html as esc;
+use super::escape::html as esc;
 
 /// The sheet and the margins of the plotting area on it, in units of the drawing.
 pub(super) struct Frame {

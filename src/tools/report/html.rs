@@ -1,6 +1,6 @@
 //! `index.html`: one page that needs neither network nor script to be read.
-use super::text::{count, differ, exact, html as esc, rough, seconds};
-use super::{figures, folder, summary, text};
+use super::escape::{count, differ, exact, html as esc, rough, seconds};
+use super::{escape, figures, folder, summary};
 use super::{About, Case, Check, Outcome, Parameter, Report, ReportError, Shows, Tolerance, Worst, Writer};
 use std::path::Path;
 
@@ -70,11 +70,11 @@ fn left_out(report: &Report) -> String {
     if groups.is_empty() {
         return String::new();
     }
-    let all = text::plural(groups.iter().map(|(_, names)| names.len()).sum(), "check");
+    let all = escape::plural(groups.iter().map(|(_, names)| names.len()).sum(), "check");
     let items: String = groups
         .iter()
         .map(|(why, names)| {
-            let n = text::plural(names.len(), "check");
+            let n = escape::plural(names.len(), "check");
             format!("<li>{n}: {}<br><small>{}</small></li>\n", esc(why), esc(&names.join(", ")))
         })
         .collect();

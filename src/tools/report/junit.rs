@@ -1,5 +1,5 @@
 //! `junit.xml`: one suite per case, one test per check, as CI servers read it.
-use super::{folder, summary, text, Case, Check, Outcome, Report, ReportError, Writer};
+use super::{escape, folder, summary, Case, Check, Outcome, Report, ReportError, Writer};
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 use std::path::Path;
 use std::time::Duration;
@@ -65,13 +65,13 @@ fn status(outcome: &Outcome, details: String) -> TestCaseStatus {
 fn details(check: &Check) -> String {
     let mut lines = vec![format!("{}: {}", check.shows.word(), check.shows.meaning())];
     if let Some(w) = &check.worst {
-        let (got, expected) = (text::exact(w.got), text::exact(w.expected));
+        let (got, expected) = (escape::exact(w.got), escape::exact(w.expected));
         lines.push(format!("worst at step {}: {}", w.step, w.what));
         lines.push(format!("got {got}, expected {expected}"));
-        lines.push(format!("error {} {}", text::rough(w.error), w.norm));
+        lines.push(format!("error {} {}", escape::rough(w.error), w.norm));
     }
     if let Some(t) = &check.tolerance {
-        lines.push(format!("limit {} because {}", text::rough(t.limit), t.reason));
+        lines.push(format!("limit {} because {}", escape::rough(t.limit), t.reason));
     }
     lines.join("\n")
 }

@@ -1,6 +1,6 @@
 //! `report.md`: for CI summaries and pull requests. The verdict, one line per case, the details of what failed.
-use super::text::{exact, markdown as esc, rough, seconds};
-use super::{folder, summary, text, Case, Check, Outcome, Report, ReportError, Writer};
+use super::escape::{exact, markdown as esc, rough, seconds};
+use super::{escape, folder, summary, Case, Check, Outcome, Report, ReportError, Writer};
 use std::path::Path;
 
 pub(super) struct Markdown;
@@ -104,7 +104,7 @@ fn log(log: &str) -> String {
     // The blank line matters: without it the first empty line of the log would end the block.
     format!(
         "\n<details><summary>end of the log</summary>\n\n<pre>\n{}\n</pre>\n\n</details>",
-        text::html(&end)
+        escape::html(&end)
     )
 }
 
@@ -115,7 +115,7 @@ fn left_out(report: &Report) -> Option<String> {
     }
     let mut lines: Vec<_> = report.about.notes.iter().map(|note| format!("- {}", esc(note))).collect();
     for (why, names) in &groups {
-        let (n, names) = (text::plural(names.len(), "check"), esc(&names.join(", ")));
+        let (n, names) = (escape::plural(names.len(), "check"), esc(&names.join(", ")));
         lines.push(format!("- {n} skipped because {}: {names}", esc(why)));
     }
     Some(format!("### Left out, and notes\n\n{}", lines.join("\n")))

@@ -4,6 +4,7 @@
 //! `junit.xml` for programs, `csv/<case>.csv` with the numbers behind the plots.
 mod axis;
 mod csv;
+mod escape;
 mod figures;
 mod folder;
 mod frame;
@@ -15,10 +16,9 @@ mod numbers;
 pub mod page;
 mod plot;
 mod summary;
-mod text;
 mod write;
 
-pub(crate) use text::rough;
+pub(crate) use escape::rough;
 
 pub use folder::{ReportError, Writer};
 use serde::Serialize;

@@ -1,5 +1,5 @@
 //! Numbers in JSON, which has no infinities: what is not finite is written as the strings `NaN`, `inf` and `-inf`.
-use super::text;
+use super::escape;
 use serde::{Serialize, Serializer};
 
 #[derive(Serialize)]
@@ -14,7 +14,7 @@ impl From<f64> for Number {
         if value.is_finite() {
             Number::Finite(value)
         } else {
-            Number::Not(text::exact(value))
+            Number::Not(escape::exact(value))
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Plots as inline SVG. Drawn by hand, because colours must come from the page's style sheet to follow light, dark
 //! and print, which the plotting crates' back ends do not do.
 use super::axis::Axis;
+use super::escape::html as esc;
 use super::frame::Frame;
-use super::text::html as esc;
 use std::collections::BTreeSet;
 
 const FRAME: Frame = Frame { width: 480.0, height: 280.0, left: 60.0, right: 14.0, top: 28.0, bottom: 44.0 };

@@ -1,5 +1,5 @@
 //! What several writers need: words for outcomes, names for files, the check closest to its limit, what was skipped.
-use super::{text, Case, Check, Outcome, Report, Shows};
+use super::{escape, Case, Check, Outcome, Report, Shows};
 use std::collections::HashSet;
 
 impl Outcome {
@@ -92,7 +92,7 @@ pub(super) fn headline(report: &Report) -> String {
     let ended = |f: fn(&Outcome) -> bool| report.cases.iter().filter(|c| f(&c.verdict())).count();
     let bad = ended(|o| matches!(o, Outcome::Disagreed(_)));
     let not_run = ended(|o| matches!(o, Outcome::CouldNotRun(_)));
-    let of = text::plural(all, "case");
+    let of = escape::plural(all, "case");
     match (bad, not_run) {
         _ if all == 0 => "nothing was checked".into(),
         (0, 0) if all == 1 => "the only case agreed".into(),

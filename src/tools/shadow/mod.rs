@@ -14,7 +14,7 @@
 //! | history | the largest that LIGGGHTS had in this slot of the chain so far |
 mod measure;
 mod session;
-mod text;
+mod terminal;
 
 pub use measure::Answer;
 pub use session::Session;

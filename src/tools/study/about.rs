@@ -1,5 +1,5 @@
 //! The programs behind a study's document.
-use super::live::Bench;
+use super::in_liggghts::Bench;
 use crate::codes::RunError;
 use crate::report::{About, Check, Outcome, Shows};
 

@@ -4,8 +4,8 @@
 //! estimated error is the difference from the combination of five of them, or a hundredth of that from the combination of four if that is
 //! larger, as at a kink the first two may agree by chance. It decides on the length of the step. Steps end exactly at the turning
 //! point and at last touch; at other kinks the estimate shortens the step until they do no harm.
+use super::collision::{Collision, Outcome};
 use super::motion::{Instant, Motion};
-use super::shot::{Outcome, Shot};
 use granlaw::chain::Chain;
 use granlaw::model::Body;
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -29,24 +29,29 @@ pub struct Aim {
 }
 
 /// Integrates the contact. Returns the outcome and the number of evaluations of the laws.
-pub fn impact(chain: &mut Chain, shot: &Shot, aim: &Aim) -> (Outcome, u64) {
-    let start = shot.start(aim.duration, 0.0, 0);
-    let mut solver = Solver::new(Motion::new(chain, &start, shot), shot, aim);
+pub fn impact(chain: &mut Chain, collision: &Collision, aim: &Aim) -> (Outcome, u64) {
+    let start = collision.start(aim.duration, 0.0, 0);
+    let mut solver = Solver::new(Motion::new(chain, &start, collision), collision, aim);
     let outcome = solver.run(start.bodies);
     (outcome, solver.motion.calls)
 }
 
 struct Solver<'a> {
     motion: Motion<'a>,
-    shot: &'a Shot,
+    collision: &'a Collision,
     aim: &'a Aim,
     /// Weights of the answers in 1, 2, … parts: for all levels, for one less and for two less.
     weights: [DVector<f64>; 3],
 }
 
 impl<'a> Solver<'a> {
-    fn new(motion: Motion<'a>, shot: &'a Shot, aim: &'a Aim) -> Solver<'a> {
-        Solver { motion, shot, aim, weights: [weights(LEVELS), weights(LEVELS - 1), weights(LEVELS - 2)] }
+    fn new(motion: Motion<'a>, collision: &'a Collision, aim: &'a Aim) -> Solver<'a> {
+        Solver {
+            motion,
+            collision,
+            aim,
+            weights: [weights(LEVELS), weights(LEVELS - 1), weights(LEVELS - 2)],
+        }
     }
 
     fn run(&mut self, bodies: [Body; 2]) -> Outcome {
@@ -80,7 +85,7 @@ impl<'a> Solver<'a> {
             h *= factor;
         }
         let Outcome { peak, duration, parted, force, .. } = seen;
-        Outcome { peak, duration, parted, force, ..self.shot.judge(&at.bodies) }
+        Outcome { peak, duration, parted, force, ..self.collision.judge(&at.bodies) }
     }
 
     /// One step, extrapolated, and its estimated error.
@@ -109,8 +114,8 @@ impl<'a> Solver<'a> {
 
     /// The scale of each number of [`flat`]: a length, a velocity or a spin. Forces do not count.
     fn scales(&self) -> impl Fn(usize) -> f64 + 'static {
-        let speed = self.shot.speed.hypot(self.shot.slide);
-        let (depth, radius) = (speed * self.aim.duration, self.shot.radius);
+        let speed = self.collision.speed.hypot(self.collision.slide);
+        let (depth, radius) = (speed * self.aim.duration, self.collision.radius);
         move |k: usize| match k {
             0..=8 => f64::INFINITY,
             9..=26 => match k % 9 {

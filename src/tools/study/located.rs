@@ -1,14 +1,14 @@
 //! Fixed steps, shortened to end at events: first touch, last touch, the turning point, a change of branch.
+use super::collision::{Collision, Outcome};
 use super::motion::{Instant, Motion};
-use super::shot::{Outcome, Shot};
 use granlaw::chain::Chain;
 use granlaw::model::Kind;
 
 /// Integrates the contact in steps of `h` \[s\]. Returns the outcome and the number of evaluations of the laws.
-pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outcome, u64) {
-    let start = shot.start(h, 0.0, 0);
+pub fn impact(chain: &mut Chain, collision: &Collision, h: f64, with_force: bool) -> (Outcome, u64) {
+    let start = collision.start(h, 0.0, 0);
     let watched: Vec<bool> = chain.laws().map(|m| matches!(m.kind, Kind::Normal | Kind::Cohesion)).collect();
-    let mut m = Motion::new(chain, &start, shot);
+    let mut m = Motion::new(chain, &start, collision);
     let mut at = m.touch(start.bodies);
     let mut seen = Outcome::default();
     let limit = 1_000_000;
@@ -45,7 +45,7 @@ pub fn impact(chain: &mut Chain, shot: &Shot, h: f64, with_force: bool) -> (Outc
     }
     let calls = m.calls;
     let Outcome { peak, duration, parted, force, .. } = seen;
-    (Outcome { peak, duration, parted, force, ..shot.judge(&at.bodies) }, calls)
+    (Outcome { peak, duration, parted, force, ..collision.judge(&at.bodies) }, calls)
 }
 
 /// What must not change within a step: the direction of the motion, and the branch of each law that has branches.

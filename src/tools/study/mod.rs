@@ -2,17 +2,17 @@
 pub mod about;
 pub mod adaptive;
 pub mod bond;
-pub mod live;
+pub mod bonded;
+pub mod bonded_row;
+pub mod collision;
+pub mod in_liggghts;
 pub mod located;
 pub mod matter;
 pub mod modes;
 pub mod motion;
-pub mod row;
-pub mod shot;
 pub mod single;
 pub mod speed;
 pub mod stability;
-pub mod tied;
 pub mod timestep;
 
 use crate::codes::RunError;
@@ -25,7 +25,7 @@ pub struct Options {
     /// A finer study that takes longer.
     pub full: bool,
     /// LIGGGHTS and plugin, or why there is none.
-    pub bench: Result<live::Bench, RunError>,
+    pub bench: Result<in_liggghts::Bench, RunError>,
     /// The command line, for the page.
     pub command: String,
 }

@@ -1,6 +1,6 @@
 //! The stiffest modes that a contact of two bodies reaches, which limit the time step.
+use super::collision::Collision;
 use super::matter::Matter;
-use super::shot::Shot;
 use granlaw::chain::Chain;
 use granlaw::model::Mode;
 use granlaw::model::{Call, ClosePair, Contact, Kind, Observation, Size, Surface};
@@ -23,14 +23,14 @@ const FINE: f64 = 4000.0;
 
 /// Moves the bodies under `chain` from first touch to last, and asks `observer`, of the same laws, for stiffnesses on the way. Of
 /// bodies that rest on a wall only the first state counts.
-pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
-    let meff = shot.meff();
+pub fn reached(chain: &mut Chain, observer: &mut Chain, collision: &Collision) -> Modes {
+    let meff = collision.meff();
     let (mut normal, mut tangential) =
-        (Mode { mass: meff, ..Mode::default() }, Mode { mass: turning(shot), ..Mode::default() });
+        (Mode { mass: meff, ..Mode::default() }, Mode { mass: turning(collision), ..Mode::default() });
     let mut soft = f64::INFINITY;
-    let first = loading(observer, shot);
+    let first = loading(observer, collision);
     let dt = PI * (meff / first).sqrt() / FINE;
-    let start = shot.start(dt, 0.0, if shot.rest.is_some() { 2 } else { 6 * FINE as u64 });
+    let start = collision.start(dt, 0.0, if collision.rest.is_some() { 2 } else { 6 * FINE as u64 });
     let shear = chain.laws().find(|m| m.kind == Kind::Tangential).map(|m| !m.slots.is_empty());
     let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
     let mut touched = false;
@@ -39,7 +39,7 @@ pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
             return !touched;
         }
         touched = true;
-        let t = along_normal(&kinds, &observer.observe(shot.types, &s.contact, &s.history));
+        let t = along_normal(&kinds, &observer.observe(collision.types, &s.contact, &s.history));
         if t.0 > normal.stiffness {
             (normal.stiffness, normal.damping) = t;
         }
@@ -58,22 +58,22 @@ pub fn reached(chain: &mut Chain, observer: &mut Chain, shot: &Shot) -> Modes {
 }
 
 /// Loading stiffness \[N/m\] at an overlap of a hundredth of the radius of i.
-pub fn loading(chain: &mut Chain, shot: &Shot) -> f64 {
-    let [i, j] = shot.bodies();
-    let call = Call { is_wall: shot.wall, ..Call::default() };
-    let gap = ClosePair { call, i, j, meff: shot.meff(), ..ClosePair::default() };
-    let surface = Surface { deltan: 0.01 * shot.radius, ..Surface::default() };
+pub fn loading(chain: &mut Chain, collision: &Collision) -> f64 {
+    let [i, j] = collision.bodies();
+    let call = Call { is_wall: collision.wall, ..Call::default() };
+    let gap = ClosePair { call, i, j, meff: collision.meff(), ..ClosePair::default() };
+    let surface = Surface { deltan: 0.01 * collision.radius, ..Surface::default() };
     let row = vec![0.0; chain.row()];
     let kinds: Vec<Kind> = chain.laws().map(|m| m.kind).collect();
-    along_normal(&kinds, &chain.observe(shot.types, &Contact { close: gap, surface }, &row)).0
+    along_normal(&kinds, &chain.observe(collision.types, &Contact { close: gap, surface }, &row)).0
 }
 
 /// The same for laws and numbers that are known to be sound \[N/m\].
 ///
 /// # Panics
 /// If a law refuses them.
-pub fn stiffness(matter: &Matter, shot: &Shot) -> f64 {
-    loading(&mut matter.chain().expect("a sound case"), shot)
+pub fn stiffness(matter: &Matter, collision: &Collision) -> f64 {
+    loading(&mut matter.chain().expect("a sound case"), collision)
 }
 
 /// Stiffness \[N/m\] and damping \[N s/m\] along the normal, of all laws that act there.
@@ -83,10 +83,18 @@ fn along_normal(kinds: &[Kind], terms: &[Observation]) -> (f64, f64) {
 }
 
 /// The mass that a force along the surface moves \[kg\].
-fn turning(shot: &Shot) -> f64 {
-    let [i, j] = shot.bodies();
+fn turning(collision: &Collision) -> f64 {
+    let [i, j] = collision.bodies();
     let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
-    let size = Size { radi, radj, massi, massj, frozen: [false; 2], meff: shot.meff(), is_wall: shot.wall };
+    let size = Size {
+        radi,
+        radj,
+        massi,
+        massj,
+        frozen: [false; 2],
+        meff: collision.meff(),
+        is_wall: collision.wall,
+    };
     let (ti, tj) = size.mobilities();
     1.0 / (1.0 / size.meff + radi * radi * ti + radj * radj * tj)
 }

@@ -5,7 +5,7 @@
 //! histories too. The laws are used unchanged. They are called once for the force and once for the history, both with the history
 //! before the step. The force cannot be asked for after the history was updated, as a slipping contact is then on the border to
 //! sticking.
-use super::shot::Shot;
+use super::collision::Collision;
 use granlaw::chain::Chain;
 use granlaw::model::{Body, Call, Contact, Response};
 use granlaw::pair::{approach, moving, Partner, Start};
@@ -40,10 +40,10 @@ pub struct Instant {
 const ITERATIONS: usize = 3;
 
 impl<'a> Motion<'a> {
-    /// The motion of the bodies of a shot; `start` holds the bodies and gravity.
-    pub fn new(chain: &'a mut Chain, start: &'a Start, shot: &Shot) -> Motion<'a> {
+    /// The motion of the bodies of a collision; `start` holds the bodies and gravity.
+    pub fn new(chain: &'a mut Chain, start: &'a Start, collision: &Collision) -> Motion<'a> {
         let length = || (start.bodies[0].x - start.bodies[1].x).norm();
-        let bonded = shot.row().map(|_| (length(), shot.speed.signum()));
+        let bonded = collision.row().map(|_| (length(), collision.speed.signum()));
         Motion { chain, start, bonded, calls: 0 }
     }
 

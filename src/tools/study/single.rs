@@ -1,6 +1,6 @@
 //! Velocity Verlet in single precision: the same laws, written over lanes, with `f32` in each.
+use super::collision::{Collision, Outcome};
 use super::matter::Matter;
-use super::shot::{Outcome, Shot};
 use granlaw::lane::{dot, Lanes};
 use granlaw::laws::made;
 use granlaw::model::{Body, Call, ForLanes, Law, Parameters, Response, Setup, Size, Slots, Surface};
@@ -73,12 +73,12 @@ impl Ball {
 
 /// Integrates two spheres in steps of `dt` \[s\], from `before` steps ahead of first touch; `None` for walls and for laws that are
 /// not written over lanes.
-pub fn impact(matter: &Matter, shot: &Shot, dt: f64, before: f64) -> Option<Outcome> {
-    let start = shot.start(dt, before, 0);
+pub fn impact(matter: &Matter, collision: &Collision, dt: f64, before: f64) -> Option<Outcome> {
+    let start = collision.start(dt, before, 0);
     let [i, j] = start.bodies;
     let (radi, radj, massi, massj) = (i.radius, j.radius, i.mass, j.mass);
-    let size = Size { radi, radj, massi, massj, frozen: [false; 2], meff: shot.meff(), is_wall: false };
-    let mut kernels = kernels(matter, &size).filter(|_| !shot.wall && shot.rest.is_none())?;
+    let size = Size { radi, radj, massi, massj, frozen: [false; 2], meff: collision.meff(), is_wall: false };
+    let mut kernels = kernels(matter, &size).filter(|_| !collision.wall && collision.rest.is_none())?;
     let mut balls = start.bodies.each_ref().map(Ball::new);
     let (call, half) = (Call { dt, step: 1, update: true, ..Call::default() }, (0.5 * dt) as f32);
     let (mut response, mut seen) = (Response::<f32>::default(), Outcome::default());
@@ -99,7 +99,12 @@ pub fn impact(matter: &Matter, shot: &Shot, dt: f64, before: f64) -> Option<Outc
         }
     }
     let bodies = [balls[0].wide(&i), balls[1].wide(&j)];
-    Some(Outcome { peak: seen.peak, duration: seen.duration, parted: seen.parted, ..shot.judge(&bodies) })
+    Some(Outcome {
+        peak: seen.peak,
+        duration: seen.duration,
+        parted: seen.parted,
+        ..collision.judge(&bodies)
+    })
 }
 
 fn kick(balls: &mut [Ball; 2], response: &Response<f32>, half: f32) {

@@ -15,8 +15,8 @@ mod answers;
 mod attempt;
 mod checks;
 mod error;
-mod live;
 mod offline;
+mod trial;
 mod two_body;
 
 pub use error::VerifyError;
@@ -100,7 +100,7 @@ impl Plan {
                 about.liggghts = Some(host.version.clone());
                 about.plugin = Some(format!("{} for LIGGGHTS {}", plugin.path.display(), plugin.liggghts));
                 let (limit, lanes) = (self.options.limit, self.options.lanes.as_str());
-                self.live(&live::Bench { host, plugin, limit, lanes }, done)?
+                self.live(&trial::Bench { host, plugin, limit, lanes }, done)?
             }
             Err(missing) => {
                 let cases = offline::cases(missing)?;
@@ -112,7 +112,11 @@ impl Plan {
         Ok(Report { about, cases })
     }
 
-    fn live(&self, bench: &live::Bench<'_>, done: &(dyn Fn(&Case) + Sync)) -> Result<Vec<Case>, VerifyError> {
+    fn live(
+        &self,
+        bench: &trial::Bench<'_>,
+        done: &(dyn Fn(&Case) + Sync),
+    ) -> Result<Vec<Case>, VerifyError> {
         let jobs = self.options.jobs;
         let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
         let pool = pool.map_err(|e| VerifyError::Threads { jobs, why: e.to_string() })?;

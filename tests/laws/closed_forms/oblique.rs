@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 
 /// A sphere before its impact on a wall at x = 0 or on another sphere.
 #[derive(Clone, Copy)]
-struct Shot {
+struct Collision {
     material: Material,
     radius: f64,
     e: f64,
@@ -39,7 +39,7 @@ struct Rebound {
     e: f64,
 }
 
-impl Shot {
+impl Collision {
     /// With `chosen` settings of the laws.
     fn fire(&self, target: &Target, chosen: &[(&str, &str)]) -> Rebound {
         let (young, nu, rho) = self.material;
@@ -87,9 +87,9 @@ fn degrees(angle: f64) -> (f64, f64) {
 }
 
 /// Test 4: 3.9 m/s under an angle to the normal.
-fn at_angle(material: Material, angle: f64) -> Shot {
+fn at_angle(material: Material, angle: f64) -> Collision {
     let (sin, cos) = degrees(angle);
-    Shot { material, radius: 0.0025, e: 0.98, mu: 0.092, vn: 3.9 * cos, vt: 3.9 * sin, omega: 0.0 }
+    Collision { material, radius: 0.0025, e: 0.98, mu: 0.092, vn: 3.9 * cos, vt: 3.9 * sin, omega: 0.0 }
 }
 
 /// Angle \[deg\] and tangential restitution.
@@ -204,7 +204,7 @@ const MFIX: [(f64, f64); 10] = [
 /// Test 4 against the three curves, with the mean errors that the Kratos project accepts for its own code.
 fn test_4(mu: f64) -> Result<(), String> {
     let shot = |angle| {
-        let s = Shot { mu, ..at_angle(ALUMINA, angle) };
+        let s = Collision { mu, ..at_angle(ALUMINA, angle) };
         (s, s.fire(&Target::Wall, &[]))
     };
     let e_t = misfit(&E_T, |angle| {
@@ -234,7 +234,7 @@ fn a_friction_off_by_a_twentieth_is_seen() {
 #[test]
 fn chung_and_ooi_4_as_another_code_computed_it() {
     for (angle, e_t) in MFIX {
-        let shot = Shot { e: 1.0, ..at_angle(ALUMINA, angle) };
+        let shot = Collision { e: 1.0, ..at_angle(ALUMINA, angle) };
         let got = shot.fire(&Target::Elastic(7e10, 0.25), &[]);
         // The other code steps some 50 times per contact and rolls on the undeformed radius.
         near("e_t", got.vt / shot.vt, e_t, 0.01, 1.0).unwrap();
@@ -245,7 +245,7 @@ fn chung_and_ooi_4_as_another_code_computed_it() {
 fn sliding_throughout_takes_mu_times_the_normal_impulse() {
     for angle in [40.0, 50.0, 60.0, 70.0, 80.0] {
         for e in [1.0, 0.98] {
-            let shot = Shot { e, ..at_angle(ALUMINA, angle) };
+            let shot = Collision { e, ..at_angle(ALUMINA, angle) };
             // The dashpot attracts at the end and damps sideways: without both, friction is μ times the push.
             let got = shot.fire(&Target::Wall, &[("limitForce", "on"), ("tangential_damping", "off")]);
             let taken = shot.mu * (1.0 + got.e) * shot.vn;
@@ -259,7 +259,7 @@ fn sliding_throughout_takes_mu_times_the_normal_impulse() {
 
 /// Test 5: normal speed 5 m/s, e = 1, μ = 0.3, the tangential speed in units of μ Vn.
 fn test_5(material: Material, x: f64) -> (f64, f64) {
-    let shot = Shot { material, radius: 1e-5, e: 1.0, mu: 0.3, vn: 5.0, vt: x * 1.5, omega: 0.0 };
+    let shot = Collision { material, radius: 1e-5, e: 1.0, mu: 0.3, vn: 5.0, vt: x * 1.5, omega: 0.0 };
     let r = shot.fire(&Target::Wall, &[]);
     ((r.vt - shot.radius * r.omega) / 1.5, -shot.radius * r.omega / 1.5)
 }
@@ -289,7 +289,7 @@ fn chung_and_ooi_5_micro_slip_is_beyond_a_single_shear_spring() {
 /// Test 6: normal speed 0.2 m/s with a spin, so that 3.5 μ (1+e) Vn/Vst is x; gives −Vst'/Vst.
 fn test_6(target: &Target, x: f64) -> f64 {
     let chosen = [("limitForce", "on"), ("tangential_damping", "off")];
-    let at = |omega| Shot { material: ALLOY, radius: 0.1, e: 0.5, mu: 0.4, vn: 0.2, vt: 0.0, omega };
+    let at = |omega| Collision { material: ALLOY, radius: 0.1, e: 0.5, mu: 0.4, vn: 0.2, vt: 0.0, omega };
     let slow = at(0.0);
     let e = slow.fire(target, &chosen).e;
     let surface = 3.5 * slow.mu * (1.0 + e) * slow.vn / x;
@@ -314,7 +314,7 @@ fn chung_and_ooi_6_and_8_spin_on_a_wall_and_on_a_large_heavy_sphere() {
 fn chung_and_ooi_7_counter_rotating_spheres_that_do_not_slip_keep_their_spin() {
     for angle in [5.0, 30.0, 60.0, 85.0] {
         let omega = 0.2 * f64::tan(f64::to_radians(angle)) / 0.1;
-        let shot = Shot { material: ALLOY, radius: 0.1, e: 0.5, mu: 0.4, vn: 0.2, vt: 0.0, omega };
+        let shot = Collision { material: ALLOY, radius: 0.1, e: 0.5, mu: 0.4, vn: 0.2, vt: 0.0, omega };
         let got = shot.fire(&Target::Mirror, &[]);
         assert_eq!((got.omega, got.vt), (omega, 0.0));
         // First order in the step: the dashpot of 4000 steps.

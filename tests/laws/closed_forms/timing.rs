@@ -12,7 +12,7 @@ const PHASES: u32 = 128;
 
 /// An impact.
 #[derive(Clone, Copy)]
-struct Shot {
+struct Collision {
     normal: &'static str,
     tangential: &'static str,
     e: f64,
@@ -27,7 +27,7 @@ struct Shot {
 /// Normal and tangential velocity afterwards over the normal one before.
 type Rebound = [f64; 2];
 
-impl Shot {
+impl Collision {
     fn duration(&self) -> f64 {
         let mass = sphere(R, RHO).mass;
         let (e_star, m, r) = match self.wall {
@@ -91,38 +91,38 @@ impl Shot {
 }
 
 /// The power of the step by which the errors fall from `n` to `8 n` steps.
-fn orders(shot: &Shot, chosen: &[(&str, &str)], n: f64) -> Rebound {
+fn orders(shot: &Collision, chosen: &[(&str, &str)], n: f64) -> Rebound {
     let exact = shot.exact(chosen);
     let (coarse, fine) = (shot.error(chosen, n, exact), shot.error(chosen, 8.0 * n, exact));
     [0, 1].map(|c| (coarse[c] / fine[c]).log2() / 3.0)
 }
 
 /// A claim: the shot, whether γt is on, from which number of steps the orders show, and the orders of both velocities.
-type Claim = (&'static str, Shot, &'static str, f64, [f64; 2]);
+type Claim = (&'static str, Collision, &'static str, f64, [f64; 2]);
 
-const BASE: Shot =
-    Shot { normal: "hooke", tangential: "history", e: 0.5, mu: 5.0, v: 0.02, vt: 0.5, wall: false };
-const HEAD_ON: Shot = Shot { vt: 0.0, ..BASE };
-const SLIP: Shot = Shot { mu: 0.2, vt: 3.0, ..BASE };
-const STICK_SLIP: Shot = Shot { mu: 0.4, vt: 0.8, e: 0.7, ..BASE };
-const HERTZ: Shot = Shot { normal: "hertz", ..HEAD_ON };
-const YIELDING: Shot = Shot { normal: "hooke/hysteresis", e: 0.9, v: 0.5, ..HEAD_ON };
-const VISCOUS: Shot = Shot { tangential: "no_history", mu: 1e3, ..BASE };
+const BASE: Collision =
+    Collision { normal: "hooke", tangential: "history", e: 0.5, mu: 5.0, v: 0.02, vt: 0.5, wall: false };
+const HEAD_ON: Collision = Collision { vt: 0.0, ..BASE };
+const SLIP: Collision = Collision { mu: 0.2, vt: 3.0, ..BASE };
+const STICK_SLIP: Collision = Collision { mu: 0.4, vt: 0.8, e: 0.7, ..BASE };
+const HERTZ: Collision = Collision { normal: "hertz", ..HEAD_ON };
+const YIELDING: Collision = Collision { normal: "hooke/hysteresis", e: 0.9, v: 0.5, ..HEAD_ON };
+const VISCOUS: Collision = Collision { tangential: "no_history", mu: 1e3, ..BASE };
 
 const CLAIMS: [Claim; 13] = [
-    ("head-on, undamped", Shot { e: 1.0, ..HEAD_ON }, "on", 25.0, [4.0, 0.0]),
-    ("head-on, e = 0.9", Shot { e: 0.9, ..HEAD_ON }, "on", 400.0, [2.0, 0.0]),
+    ("head-on, undamped", Collision { e: 1.0, ..HEAD_ON }, "on", 25.0, [4.0, 0.0]),
+    ("head-on, e = 0.9", Collision { e: 0.9, ..HEAD_ON }, "on", 400.0, [2.0, 0.0]),
     ("head-on, e = 0.5", HEAD_ON, "on", 100.0, [2.0, 0.0]),
-    ("hertz, e = 0.9", Shot { e: 0.9, ..HERTZ }, "on", 200.0, [2.0, 0.0]),
+    ("hertz, e = 0.9", Collision { e: 0.9, ..HERTZ }, "on", 200.0, [2.0, 0.0]),
     ("hertz, e = 0.5", HERTZ, "on", 200.0, [2.0, 0.0]),
     ("hysteresis, adhesive, e = 0.9", YIELDING, "on", 200.0, [2.0, 0.0]),
-    ("stick, undamped", Shot { e: 1.0, mu: 1e9, ..BASE }, "on", 50.0, [4.0, 2.0]),
+    ("stick, undamped", Collision { e: 1.0, mu: 1e9, ..BASE }, "on", 50.0, [4.0, 2.0]),
     ("stick without γt", BASE, "off", 200.0, [2.0, 2.0]),
     ("slip", SLIP, "on", 200.0, [2.0, 2.0]),
     ("slip without γt", SLIP, "off", 200.0, [2.0, 2.0]),
     ("stick and slip without γt", STICK_SLIP, "off", 100.0, [2.0, 2.0]),
     ("viscous friction", VISCOUS, "on", 100.0, [2.0, 2.0]),
-    ("viscous friction that slips", Shot { mu: 0.2, vt: 3.0, ..VISCOUS }, "on", 100.0, [2.0, 2.0]),
+    ("viscous friction that slips", Collision { mu: 0.2, vt: 3.0, ..VISCOUS }, "on", 100.0, [2.0, 2.0]),
 ];
 
 const BOTH: [(&str, &str); 2] = [("centredDamping", "on"), ("touchFraction", "on")];
@@ -131,7 +131,7 @@ const BOTH: [(&str, &str); 2] = [("centredDamping", "on"), ("touchFraction", "on
 fn hold((what, shot, damped, n, claimed): &Claim, settings: &[(&str, &str)]) -> Result<(), String> {
     let chosen: Vec<_> = settings.iter().copied().chain([("tangential_damping", *damped)]).collect();
     for wall in [false, true] {
-        let got = orders(&Shot { wall, ..*shot }, &chosen, *n);
+        let got = orders(&Collision { wall, ..*shot }, &chosen, *n);
         // Orders above 2 come from terms that vanish sooner or, across a rotating normal, later than the others.
         let tells = |c: usize| claimed[c] > 0.0 && (claimed[c] == 2.0 || wall);
         if let Some(c) = (0..2).find(|c| tells(*c) && (got[*c] - claimed[*c]).abs() > 0.2) {
@@ -168,7 +168,7 @@ fn damped_stick_and_slip_get_better_without_a_higher_order() {
     // How many times smaller the error of the tangential velocity is at 200 steps per contact.
     for (shot, better) in [(BASE, 100.0), (SLIP, 20.0), (STICK_SLIP, 2.0)] {
         for wall in [false, true] {
-            let shot = Shot { wall, ..shot };
+            let shot = Collision { wall, ..shot };
             let exact = shot.exact(&[]);
             let [stock, both] = [&[][..], &BOTH].map(|settings| shot.error(settings, 200.0, exact)[1]);
             assert!(stock > better * both, "{}: {stock:e} against {both:e}", shot.vt);

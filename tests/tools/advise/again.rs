@@ -3,8 +3,8 @@ use super::made::{
     bed, friction, header, hertz, hooke, hysteresis, impact, pressed, rolling, scene, MASS, RADIUS,
 };
 use approx::assert_relative_eq;
-use granlaw_tools::advise::held::hold;
-use granlaw_tools::advise::lived;
+use granlaw_tools::advise::loaded::hold;
+use granlaw_tools::advise::simulated;
 use granlaw_tools::probe::{Partners, Pressed};
 use std::f64::consts::PI;
 
@@ -22,7 +22,7 @@ fn a_linear_impact_has_its_restitution_and_its_time() {
         let h = header(DT, vec![hooke(0.8)]);
         let (mut chain, mut laws) = (h.chain().unwrap(), h.chain().unwrap());
         let seen =
-            lived::impact(&mut chain, Some(&mut laws), &impact(wall, [-0.5, 0.0, 0.0]), (DT, 0.3, 1.0));
+            simulated::impact(&mut chain, Some(&mut laws), &impact(wall, [-0.5, 0.0, 0.0]), (DT, 0.3, 1.0));
         let omega = (stiffness(reff, meff) / meff).sqrt();
         assert_relative_eq!(seen.omega, omega, max_relative = 1e-12);
         // First order in a step of some thousandth of the contact.
@@ -36,7 +36,8 @@ fn a_linear_impact_has_its_restitution_and_its_time() {
 #[test]
 fn a_hertz_impact_takes_its_time() {
     let h = header(DT, vec![hertz(1.0)]);
-    let seen = lived::impact(&mut h.chain().unwrap(), None, &impact(false, [-0.5, 0.0, 0.0]), (DT, 0.5, 1.0));
+    let seen =
+        simulated::impact(&mut h.chain().unwrap(), None, &impact(false, [-0.5, 0.0, 0.0]), (DT, 0.5, 1.0));
     let young = 5e6 / (2.0 * (1.0 - 0.45 * 0.45));
     let time = 2.868265 * (0.25 * MASS * MASS / (0.5 * RADIUS * young * young * 0.5)).powf(0.2);
     assert_relative_eq!(seen.time, time, max_relative = 1e-5);
@@ -48,7 +49,7 @@ fn a_hertz_impact_takes_its_time() {
 fn what_does_not_part_sticks() {
     let h = header(DT, vec![hooke(0.8)]);
     let short =
-        lived::impact(&mut h.chain().unwrap(), None, &impact(false, [-0.5, 0.0, 0.0]), (DT, 0.5, 2e-4));
+        simulated::impact(&mut h.chain().unwrap(), None, &impact(false, [-0.5, 0.0, 0.0]), (DT, 0.5, 2e-4));
     assert_eq!((short.restitution, short.time), (0.0, f64::INFINITY));
 }
 
@@ -57,7 +58,7 @@ fn an_impact_of_the_run_comes_out_as_in_the_run() {
     let h = header(1e-6, vec![hooke(0.7), friction(0.3), rolling(0.02)]);
     let probe = scene(&h, &[[0.4, 0.3, 0.1]]);
     let example = probe.chains[0].pairs[0].impacts[0].examples[0].what;
-    let seen = lived::impact(&mut h.chain().unwrap(), None, &example, (1e-6, 0.37, 1.0));
+    let seen = simulated::impact(&mut h.chain().unwrap(), None, &example, (1e-6, 0.37, 1.0));
     // The first step goes straight here, and there along a normal that it turns a little.
     assert_relative_eq!(seen.restitution, example.end.restitution, max_relative = 1e-5);
     assert!((seen.time / 1e-6 - example.end.steps as f64).abs() < 1.0);
@@ -74,7 +75,7 @@ fn it_does_not_matter_who_is_held() {
     other.partners = Partners { mass: [0.0, MASS], ..one.partners };
     other.v = [-0.4, 0.3, -0.1];
     (other.omega_i, other.omega_j) = ([0.0; 3], [-3.0, -20.0, -40.0]);
-    let live = |i| lived::impact(&mut h.chain().unwrap(), None, i, (1e-6, 0.4, 1.0));
+    let live = |i| simulated::impact(&mut h.chain().unwrap(), None, i, (1e-6, 0.4, 1.0));
     let (a, b) = (live(&one), live(&other));
     assert!(a.restitution > 0.5 && a.spin[0].norm() > 10.0);
     assert_eq!((a.restitution, a.time, a.spin), (b.restitution, b.time, b.spin));

@@ -3,7 +3,7 @@ use super::made::{bed, friction, header, hertz, hooke, hysteresis, rolling, scen
 use approx::assert_relative_eq;
 use granlaw::model::Kind;
 use granlaw_tools::advise::fresh::fresh;
-use granlaw_tools::advise::{advise, Advice, AdviceError, Change, Options, Rung, Scene};
+use granlaw_tools::advise::{advise, Advice, AdviceError, Candidate, Change, Options, Scene};
 use granlaw_tools::probe::Probe;
 use granlaw_tools::trace::HeaderError;
 
@@ -11,11 +11,11 @@ fn advice(probe: &Probe) -> Advice {
     advise(probe, Options::default()).expect("advice").0
 }
 
-fn rung<'a>(a: &'a Advice, changes: &[Change]) -> &'a Rung {
+fn candidate<'a>(a: &'a Advice, changes: &[Change]) -> &'a Candidate {
     a.ladder.iter().find(|r| r.changes == changes).unwrap_or_else(|| panic!("{changes:?} was not tried"))
 }
 
-fn values(r: &Rung, name: &str) -> Vec<f64> {
+fn values(r: &Candidate, name: &str) -> Vec<f64> {
     let all = r.chains[0].laws.iter().flat_map(|l| &l.properties);
     all.filter(|p| p.name == name).flat_map(|p| p.values.clone()).collect()
 }
@@ -29,14 +29,14 @@ fn speeds(slip: f64, spin: f64) -> Vec<[f64; 3]> {
 fn impacts_without_slip_need_neither_friction_nor_rolling_resistance() {
     let h = header(1e-6, vec![hooke(0.8), friction(0.5), rolling(0.1)]);
     let a = advice(&scene(&h, &speeds(0.0, 0.0)));
-    let off = rung(&a, &[Change::Off(Kind::Tangential)]);
+    let off = candidate(&a, &[Change::Off(Kind::Tangential)]);
     assert!(off.holds, "{:?}", off.model.worst.map(|w| (w.0, w.1, &a.groups[w.2])));
-    let both = rung(&a, &[Change::Off(Kind::Rolling), Change::Off(Kind::Tangential)]);
+    let both = candidate(&a, &[Change::Off(Kind::Rolling), Change::Off(Kind::Tangential)]);
     assert!(both.holds && both.chains[0].laws.len() == 1);
     // The same with slip: both do something there.
     let a = advice(&scene(&h, &speeds(1.0, 0.3)));
     for k in [Kind::Tangential, Kind::Rolling] {
-        let r = rung(&a, &[Change::Off(k)]);
+        let r = candidate(&a, &[Change::Off(k)]);
         let (what, error, _) = r.model.worst.unwrap();
         assert!(!r.holds && error > 0.02, "{k:?} {what} {error}");
         assert!(k == Kind::Rolling || (what, error > 0.1) == ("spin", true), "{k:?} {what} {error}");
@@ -54,7 +54,7 @@ fn hysteresis_far_below_its_limit_is_a_linear_spring() {
     // δ/δlim stays below 1/150, and with it what is lost beyond the dashpot: e² falls by 4 times that.
     let h = header(1e-6, vec![hysteresis(5.0)]);
     let a = advice(&scene(&h, &speeds(0.0, 0.0)));
-    let linear = rung(&a, &[Change::Law(Kind::Normal, "hooke")]);
+    let linear = candidate(&a, &[Change::Law(Kind::Normal, "hooke")]);
     assert!(linear.holds, "{:?}", linear.model.worst);
     assert_relative_eq!(values(linear, "coefficientRestitution")[0], 0.9, max_relative = 0.02);
     // The same velocity gives the same stiffness.
@@ -62,7 +62,7 @@ fn hysteresis_far_below_its_limit_is_a_linear_spring() {
     // Near its limit the restitution falls with the speed, and no linear spring does that.
     let h = header(1e-6, vec![hysteresis(0.05)]);
     let a = advice(&scene(&h, &speeds(0.0, 0.0)));
-    let linear = rung(&a, &[Change::Law(Kind::Normal, "hooke")]);
+    let linear = candidate(&a, &[Change::Law(Kind::Normal, "hooke")]);
     assert!(!linear.holds && linear.model.worst.unwrap().1 > 0.1, "{:?}", linear.model.worst);
 }
 
@@ -71,18 +71,18 @@ fn hertz_impacts_of_one_speed_are_those_of_a_fitted_linear_spring() {
     let h = header(1e-6, vec![hertz(0.7)]);
     let narrow: Vec<_> = (0..6).map(|k| [0.3 + 0.002 * f64::from(k), 0.0, 0.0]).collect();
     let a = advice(&scene(&h, &narrow));
-    let linear = rung(&a, &[Change::Law(Kind::Normal, "hooke")]);
+    let linear = candidate(&a, &[Change::Law(Kind::Normal, "hooke")]);
     assert!(linear.holds, "{:?}", linear.model.worst);
     assert_relative_eq!(values(linear, "coefficientRestitution")[0], 0.7, max_relative = 5e-3);
     // Contact times over four octaves of speed differ by 2^(4/5), those of a linear spring do not.
     let a = advice(&scene(&h, &speeds(0.0, 0.0)));
-    let linear = rung(&a, &[Change::Law(Kind::Normal, "hooke")]);
+    let linear = candidate(&a, &[Change::Law(Kind::Normal, "hooke")]);
     let (what, error, _) = linear.model.worst.unwrap();
     assert!(!linear.holds && what == "contact time" && (0.1..0.4).contains(&error), "{what} {error}");
     // Where contact times do not matter, it is good enough.
     let careless = Options { time: 20.0, ..Options::default() };
     let a = advise(&scene(&h, &speeds(0.0, 0.0)), careless).unwrap().0;
-    assert!(rung(&a, &[Change::Law(Kind::Normal, "hooke")]).holds);
+    assert!(candidate(&a, &[Change::Law(Kind::Normal, "hooke")]).holds);
 }
 
 #[test]
@@ -108,11 +108,11 @@ fn lasting_contacts_need_friction_that_remembers() {
     let h = header(1e-6, vec![hooke(0.5), friction(0.5), rolling(0.005)]);
     let loads = [[0.05, 0.02], [0.06, 0.015], [0.04, 0.01]];
     let a = advice(&bed(&h, &[], &loads));
-    let r = rung(&a, &[Change::Law(Kind::Tangential, "no_history")]);
+    let r = candidate(&a, &[Change::Law(Kind::Tangential, "no_history")]);
     let (what, error, _) = r.model.worst.unwrap();
     assert!(!r.holds && what == "shear held at rest" && error > 0.1, "{what} {error}");
     // This little rolling resistance is less than what was asked for.
-    assert!(rung(&a, &[Change::Off(Kind::Rolling)]).holds);
+    assert!(candidate(&a, &[Change::Off(Kind::Rolling)]).holds);
 }
 
 #[test]
@@ -169,15 +169,16 @@ fn advice_holds_on_other_contacts_and_a_wrong_fit_does_not() {
     let (a, deck) = advise(&scene(&h, &speeds(0.0, 0.0)), Options::default()).unwrap();
     let others: Vec<_> = speeds(0.0, 0.0).iter().map(|[v, ..]| [1.07 * v, 0.0, 0.0]).collect();
     let other = Scene::of(&scene(&h, &others)).unwrap();
-    let mut rung = a.ladder[a.chosen.unwrap()].clone();
-    let tried = |rung: &Rung| fresh(&other, &deck, rung, "speeds=other", &Options::default()).unwrap();
-    let good = tried(&rung);
+    let mut candidate = a.ladder[a.chosen.unwrap()].clone();
+    let tried =
+        |candidate: &Candidate| fresh(&other, &deck, candidate, "speeds=other", &Options::default()).unwrap();
+    let good = tried(&candidate);
     assert!(good.holds() && good.tally(true).1 >= 3 && good.tally(false) == (0, 0));
-    for p in rung.chains.iter_mut().flat_map(|h| &mut h.laws).flat_map(|l| &mut l.properties) {
+    for p in candidate.chains.iter_mut().flat_map(|h| &mut h.laws).flat_map(|l| &mut l.properties) {
         if p.name == "coefficientRestitution" {
             p.values = vec![0.7];
         }
     }
-    let bad = tried(&rung);
+    let bad = tried(&candidate);
     assert!(!bad.holds() && bad.tally(true).0 == 0);
 }

@@ -1,7 +1,7 @@
 //! Maps against linear theory where that is exact, and the counting of agreement.
 use granlaw::pair::{run, Start};
+use granlaw_tools::study::bonded;
 use granlaw_tools::study::stability::{agreement, onset, Asked, Class, Field, Found, Place};
-use granlaw_tools::study::tied;
 
 fn field(name: &str) -> Field {
     granlaw_tools::study::stability::field(name).expect("a field")
@@ -76,18 +76,19 @@ fn damping_of_bonds_chatters_at_rest_unless_it_is_smooth() {
 fn a_row_of_two_is_a_pair() {
     let field = field("bond-ku");
     let row = &field.rows[6];
-    let (shot, dt, steps) = (row.shots[2], 0.3 * row.unit(), 512);
-    let tied = shot.tied.expect("a row");
-    let got = tied::run(&mut row.matter.chain().unwrap(), &shot, &tied, (dt, steps), tied::Look::Energy);
-    let [i, j] = tied::ahead(&shot, &tied, dt)[..] else { panic!("two") };
-    let start = Start { bodies: [i, j], ..shot.start(dt, 0.0, steps) };
+    let (collision, dt, steps) = (row.collisions[2], 0.3 * row.unit(), 512);
+    let bonded = collision.bonded.expect("a row");
+    let got =
+        bonded::run(&mut row.matter.chain().unwrap(), &collision, &bonded, (dt, steps), bonded::Look::Energy);
+    let [i, j] = bonded::ahead(&collision, &bonded, dt)[..] else { panic!("two") };
+    let start = Start { bodies: [i, j], ..collision.start(dt, 0.0, steps) };
     let mut last = start.bodies;
     run(&mut row.matter.chain().unwrap(), &start, |s| last = s.bodies);
-    let expected = shot.judge(&last);
+    let expected = collision.judge(&last);
     assert!(
         got.distance == expected.distance && got.restitution == expected.restitution && got.energy >= 1.0
     );
-    assert!(expected.restitution != -1.0 && expected.distance != shot.judge(&[i, j]).distance);
+    assert!(expected.restitution != -1.0 && expected.distance != collision.judge(&[i, j]).distance);
 }
 
 #[test]

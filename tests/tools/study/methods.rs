@@ -44,7 +44,7 @@ fn a_tighter_tolerance_brings_a_smaller_error() {
     let case = case("damped-0.5");
     let error = |tolerance| {
         let aim = Aim { tolerance, duration: 1.2e-3, longest: 0.3, with_force: false };
-        let (o, calls) = adaptive::impact(&mut case.matter.chain().unwrap(), &case.shot, &aim);
+        let (o, calls) = adaptive::impact(&mut case.matter.chain().unwrap(), &case.collision, &aim);
         assert!(o.parted && calls > 0);
         (o.restitution - 0.5).abs()
     };
@@ -55,8 +55,12 @@ fn a_tighter_tolerance_brings_a_smaller_error() {
 fn steps_that_end_at_events_meet_the_turning_point_of_a_plastic_contact() {
     let case = case("plastic-below");
     let truth = Truth::of(&case);
-    let (o, _) =
-        located::impact(&mut case.matter.chain().unwrap(), &case.shot, truth.outcome.duration / 400.0, false);
+    let (o, _) = located::impact(
+        &mut case.matter.chain().unwrap(),
+        &case.collision,
+        truth.outcome.duration / 400.0,
+        false,
+    );
     // Second order: (π/400)²/12 of a quantity of order one.
     assert!((o.restitution - truth.value).abs() < 1e-4 * truth.value, "{}", o.restitution);
     assert!((o.peak - truth.outcome.peak).abs() < 1e-4 * o.peak);

@@ -4,7 +4,7 @@ use granlaw_tools::report::page::{Page, Spread};
 use granlaw_tools::report::Outcome;
 use granlaw_tools::study::{speed, stability, Options};
 
-const NONE: Result<granlaw_tools::study::live::Bench, RunError> =
+const NONE: Result<granlaw_tools::study::in_liggghts::Bench, RunError> =
     Err(RunError::NoPlugin { looked: Vec::new() });
 
 fn is(page: &Page, check: &str) -> Option<Outcome> {

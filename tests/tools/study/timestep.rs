@@ -1,7 +1,7 @@
 //! Advice on the time step from a probe made by hand.
 use granlaw::critical::{SAFE, SAFE_BOND};
 use granlaw::model::Mode;
-use granlaw_tools::probe::{Contacts, Grains, Probe};
+use granlaw_tools::probe::{Contacts, ParticleType, Probe};
 use granlaw_tools::study::timestep::{advise, Advice, Asked};
 use granlaw_tools::trace::{Header, LawSpec, Property};
 use std::f64::consts::PI;
@@ -49,7 +49,7 @@ fn header(who: &str) -> Header {
 
 fn probe(headers: Vec<Header>, fastest: f64) -> Probe {
     let chain = |header| Contacts { header, share: 1, ..Contacts::default() };
-    let grains = vec![Grains { kind: 1, count: 9, radius: [0.005; 2], density: [2500.0; 2], fastest }];
+    let grains = vec![ParticleType { kind: 1, count: 9, radius: [0.005; 2], density: [2500.0; 2], fastest }];
     Probe { chains: headers.into_iter().map(chain).collect(), grains, ..Probe::default() }
 }
 

@@ -1,8 +1,8 @@
 //! Bars: groups of numbers with their ranges, one bar for each series.
 use super::{Bars, Spread};
 use crate::report::axis::{drawable, Axis};
+use crate::report::escape::{html as esc, plain};
 use crate::report::frame::Frame;
-use crate::report::text::{html as esc, plain};
 
 /// Thickness of a bar, and the gap between groups.
 const BAR: f64 = 13.0;

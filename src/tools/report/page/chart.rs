@@ -1,8 +1,8 @@
 //! Charts on two logarithmic axes: curves with error bars, the front of the best points ringed.
 use super::{Chart, Mark, Trend};
 use crate::report::axis::{drawable, Axis};
+use crate::report::escape::html as esc;
 use crate::report::frame::Frame;
-use crate::report::text::html as esc;
 
 const FRAME: Frame = Frame { width: 820.0, height: 470.0, left: 64.0, right: 272.0, top: 14.0, bottom: 44.0 };
 /// Colours in the style sheet; more curves begin again with other marks.

@@ -1,8 +1,8 @@
 //! Maps: a field of coloured cells, with borders and with points at which another program was run.
 use super::{Map, Scale, Spot};
 use crate::report::axis::Axis;
+use crate::report::escape::html as esc;
 use crate::report::frame::Frame;
-use crate::report::text::html as esc;
 
 const FRAME: Frame = Frame { width: 820.0, height: 440.0, left: 64.0, right: 272.0, top: 14.0, bottom: 46.0 };
 /// Colours in the style sheet, from good to bad.

@@ -1,8 +1,8 @@
 //! `index.html` of a page: it needs neither network nor script to be read.
 use super::{bars, chart, heat, Cell, Item, Page, Section, Table};
+use crate::report::escape::{count, html as esc, plain};
 use crate::report::html::{about, badge, class, error, limit, SCRIPT, STYLE};
 use crate::report::summary;
-use crate::report::text::{count, html as esc, plain};
 use crate::report::{Check, Outcome, Worst};
 
 pub(super) fn page(page: &Page) -> String {

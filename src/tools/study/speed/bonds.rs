@@ -5,13 +5,13 @@
 //! time, so that it comes back as two spheres do.
 use super::case::{Case, Measure};
 use crate::study::bond::{Bond, LAMBDA, MODES};
-use crate::study::row::{Tied, Way};
-use crate::study::shot::Shot;
-use crate::study::tied::whole;
+use crate::study::bonded::whole;
+use crate::study::bonded_row::{BondedRow, Way};
+use crate::study::collision::Collision;
 use granlaw::model::ClosePair;
 use std::f64::consts::PI;
 
-const SHOT: Shot = Shot::head_on(0.005, 2500.0, 0.2);
+const SHOT: Collision = Collision::head_on(0.005, 2500.0, 0.2);
 const GAP: f64 = 1e-3;
 /// Stiffness of first loading in compression \[N/m^2.5\] and tension, and of bending \[N/m³\].
 const K: [f64; 5] = [1e6, 1e8, 0.0, 0.0, 1e8];
@@ -25,7 +25,7 @@ const SWINGS: f64 = 10.125;
 
 /// Number of bonds, times the number of periods for which they are followed.
 pub(super) fn calls(case: &Case) -> f64 {
-    case.shot.row().map_or(1.0, |t| (t.beads - 1) as f64 * swings(case))
+    case.collision.row().map_or(1.0, |t| (t.beads - 1) as f64 * swings(case))
 }
 
 /// Number of its own periods for which a row is followed.
@@ -37,19 +37,26 @@ pub(super) fn swings(case: &Case) -> f64 {
     }
 }
 
-fn case(name: &'static str, title: &'static str, over: [f64; 2], eta: f64, mode: usize, shot: Shot) -> Case {
+fn case(
+    name: &'static str,
+    title: &'static str,
+    over: [f64; 2],
+    eta: f64,
+    mode: usize,
+    collision: Collision,
+) -> Case {
     let matter = Bond { radius: SHOT.radius, gap: GAP, k: K, over, eta, modes: &MODES[mode..=mode] }.matter();
-    Case { name, title, matter, shot, measure: Measure::Restitution }
+    Case { name, title, matter, collision, measure: Measure::Restitution }
 }
 
-fn row(beads: usize, way: Way, speed: f64) -> Shot {
-    Shot { speed, tied: Some(Tied { beads, gap: GAP, way }), ..SHOT }
+fn row(beads: usize, way: Way, speed: f64) -> Collision {
+    Collision { speed, bonded: Some(BondedRow { beads, gap: GAP, way }), ..SHOT }
 }
 
 /// All cases of bonds.
 pub(super) fn cases() -> Vec<Case> {
     let stretched = |beads| row(beads, Way::Along, -SHOT.speed);
-    let turning = Shot { slide: SHOT.speed, ..row(2, Way::Bend, 0.0) };
+    let turning = Collision { slide: SHOT.speed, ..row(2, Way::Bend, 0.0) };
     let vibrating = case("bond-vibration", "bond, bends to and fro ten times", STRAIGHT, 0.0, 4, turning);
     vec![
         Case { measure: Measure::Spin, ..vibrating },
@@ -93,10 +100,10 @@ pub(super) fn steps(case: &Case, period: f64, n: f64) -> (f64, u64) {
 
 /// The closed form of what is measured of a row, and the approximate duration of one period or swing \[s\].
 pub(super) fn closed_form(case: &Case) -> Option<(f64, f64)> {
-    let tied = case.shot.row()?;
-    let [i, j] = case.shot.bodies();
+    let bonded = case.collision.row()?;
+    let [i, j] = case.collision.bodies();
     let area = PI * (LAMBDA * i.radius).powi(2);
-    let meff = case.shot.meff();
+    let meff = case.collision.meff();
     if case.measure == Measure::Spin {
         let size = ClosePair { i, j, meff, ..ClosePair::default() }.size();
         let (ti, tj) = size.mobilities();
@@ -106,13 +113,13 @@ pub(super) fn closed_form(case: &Case) -> Option<(f64, f64)> {
         return Some(((2.0 * PI * SWINGS).cos() * i.omega.z, 2.0 * PI / omega));
     }
     // ω of the slowest mode of a free chain over √(k/m).
-    let slow = 2.0 * (0.5 * PI / tied.beads as f64).sin();
+    let slow = 2.0 * (0.5 * PI / bonded.beads as f64).sin();
     let duration = PI / slow * (i.mass / (area * K[1])).sqrt();
     let (straight, eta) = (case.matter.value("stiffnessPerUnitAreaKu_fn2")? == K[1], damping(case));
     let [ku, kc] = if straight { STRAIGHT } else { OVER };
     // The fraction of the way out at which the line through zero is met, and the fraction of the work that comes back.
     let a = if straight { 0.0 } else { (ku - 1.0) / (ku + kc) };
-    let back = if case.shot.speed < 0.0 {
+    let back = if case.collision.speed < 0.0 {
         ku * (1.0 - a * a) - 2.0 * (ku - 1.0) * (1.0 - a) - kc * a * a
     } else {
         ku * (1.0 - a.powi(3)) - 1.5 * (ku - 1.0) * (1.0 - a * a) - kc * a.powi(3)

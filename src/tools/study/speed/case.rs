@@ -1,6 +1,6 @@
 //! A case: how two bodies meet, and what is measured of them.
+use crate::study::collision::{Collision, Outcome};
 use crate::study::matter::Matter;
-use crate::study::shot::{Outcome, Shot};
 
 /// What is measured of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub struct Case {
     /// Laws and numbers.
     pub matter: Matter,
     /// How the bodies meet.
-    pub shot: Shot,
+    pub collision: Collision,
     /// What is measured.
     pub measure: Measure,
 }

@@ -1,8 +1,8 @@
 //! The cases: impacts of spheres of 1 cm, E = 5 MPa, ν = 0.45, 2500 kg/m³, characteristic velocity 2 m/s.
 use super::case::{Case, Measure};
+use crate::study::collision::{Collision, Rest};
 use crate::study::matter::Matter;
 use crate::study::modes::stiffness;
-use crate::study::shot::{Rest, Shot};
 use granlaw::model::Kind;
 
 fn matter(normal: &'static str, e: f64) -> Matter {
@@ -20,14 +20,14 @@ fn matter(normal: &'static str, e: f64) -> Matter {
 }
 
 fn head_on(name: &'static str, title: &'static str, matter: Matter, speed: f64) -> Case {
-    let shot = Shot::head_on(0.005, 2500.0, speed);
-    Case { name, title, matter, shot, measure: Measure::Restitution }
+    let collision = Collision::head_on(0.005, 2500.0, speed);
+    Case { name, title, matter, collision, measure: Measure::Restitution }
 }
 
 fn oblique(name: &'static str, title: &'static str, e: f64, mu: f64, slide: f64) -> Case {
     let case = head_on(name, title, matter("hooke", e).with("coefficientFriction", mu), 0.2);
-    let shot = Shot { slide: slide * case.shot.speed, ..case.shot };
-    Case { shot, measure: Measure::Spin, ..case }
+    let collision = Collision { slide: slide * case.collision.speed, ..case.collision };
+    Case { collision, measure: Measure::Spin, ..case }
 }
 
 /// A sphere that rolls to rest under cdt with μr = 0.1. It is followed for 1.5 times the time that it rolls by the closed form,
@@ -37,11 +37,17 @@ fn rolling() -> Case {
         matter("hooke", 0.5).with("coefficientFriction", 0.5).with("coefficientRollingFriction", 0.1);
     matter.laws.push((Kind::Rolling, "cdt"));
     let (gravity, v) = (9.81, 0.05);
-    let shot = Shot { wall: true, slide: v, ..Shot::head_on(0.005, 2500.0, 0.0) };
-    let sunk = shot.meff() * gravity / stiffness(&matter, &shot);
+    let collision = Collision { wall: true, slide: v, ..Collision::head_on(0.005, 2500.0, 0.0) };
+    let sunk = collision.meff() * gravity / stiffness(&matter, &collision);
     let rest = Some(Rest { gravity, sunk, time: 1.5 * 7.0 * v / (5.0 * 0.1 * gravity), rolls: true });
     let title = "hooke + history + cdt, rolls to rest";
-    Case { name: "rolling", title, matter, shot: Shot { rest, ..shot }, measure: Measure::Distance }
+    Case {
+        name: "rolling",
+        title,
+        matter,
+        collision: Collision { rest, ..collision },
+        measure: Measure::Distance,
+    }
 }
 
 /// All cases.
@@ -53,8 +59,12 @@ pub fn cases() -> Vec<Case> {
 
 fn impacts() -> Vec<Case> {
     let plastic = |kc: f64| matter("hooke/hysteresis", 1.0).with("coefficientAdhesionStiffness", kc);
-    let on_wall =
-        |case: Case, name, title| Case { name, title, shot: Shot { wall: true, ..case.shot }, ..case };
+    let on_wall = |case: Case, name, title| Case {
+        name,
+        title,
+        collision: Collision { wall: true, ..case.collision },
+        ..case
+    };
     let undamped = |case: Case| Case { matter: case.matter.set("tangential_damping", "off"), ..case };
     let damped = |e| matter("hooke", e);
     vec![

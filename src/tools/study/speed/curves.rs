@@ -4,7 +4,7 @@ use super::costs::{self, Cost};
 use super::methods::{Method, Runner};
 use super::truth::Truth;
 use crate::report::page::Spread;
-use crate::study::shot::Outcome;
+use crate::study::collision::Outcome;
 
 /// Steps per contact.
 pub const STEPS: [f64; 10] = [12.0, 25.0, 50.0, 100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0, 6400.0];
@@ -39,7 +39,7 @@ pub const ERRORS: [&str; 5] =
 
 /// Whether a case is run with this many steps. A rolling sphere takes hundreds of periods, and very short steps show nothing new.
 pub fn worth(case: &Case, n: f64) -> bool {
-    case.shot.rest.is_none() || n <= 1600.0
+    case.collision.rest.is_none() || n <= 1600.0
 }
 
 /// Phases of first touch within a step. They are multiples of the golden section, so that they and the ends of the contacts spread
@@ -63,9 +63,9 @@ pub fn ours(method: Method, case: &Case, truth: &Truth, count: usize, rounds: us
     // A rolling sphere has no first touch, so the length of the step is varied instead.
     let count = match () {
         _ if once => 1,
-        _ if case.shot.rest.is_some() => 4,
+        _ if case.collision.rest.is_some() => 4,
         // A case that ends exactly after a given time has no phases at all.
-        _ if case.shot.row().is_some() && case.measure == Measure::Spin => 1,
+        _ if case.collision.row().is_some() && case.measure == Measure::Spin => 1,
         _ => count,
     };
     let points = aims.into_iter().map(|n| {
@@ -101,7 +101,9 @@ pub fn judge(case: &Case, truth: &Truth, n: f64, outcomes: &[Outcome], cost: Cos
     // After rolling to rest there is no spin to which an error could be relative.
     let spin = if case.measure == Measure::Distance { 0.0 } else { t.spin };
     let errors = [
-        mean(&|o| relative(o.restitution, if case.shot.slide == 0.0 { truth.value } else { t.restitution })),
+        mean(&|o| {
+            relative(o.restitution, if case.collision.slide == 0.0 { truth.value } else { t.restitution })
+        }),
         mean(&|o| relative(given(o.peak), t.peak)),
         mean(&|o| relative(given(o.duration), t.duration)),
         mean(&|o| relative(o.spin, given(spin))),

@@ -23,7 +23,7 @@ pub struct Study {
     pub found: Vec<Found>,
     /// Cost of a contact in one step inside LIGGGHTS \[s\], by law and method.
     pub per_step: Vec<PerStep>,
-    /// The largest difference between LIGGGHTS and our own integration of the same shots, relative to what was measured;
+    /// The largest difference between LIGGGHTS and our own integration of the same collisions, relative to what was measured;
     /// `None` without LIGGGHTS.
     pub apart: Option<f64>,
     /// What LIGGGHTS could not do.

@@ -2,9 +2,9 @@
 use super::bonds;
 use super::case::{Case, Measure};
 use super::truth::Truth;
+use crate::study::bonded::{self, Look};
+use crate::study::collision::{Follow, Outcome};
 use crate::study::matter::Matter;
-use crate::study::shot::{Follow, Outcome};
-use crate::study::tied::{self, Look};
 use crate::study::{adaptive, located, single};
 use granlaw::chain::Chain;
 use granlaw::pair::run_while;
@@ -79,13 +79,13 @@ impl<'a> Runner<'a> {
         let chain = matter.chain().ok()?;
         let duration = truth.outcome.duration;
         let works = match method {
-            Method::Single => single::impact(&matter, &case.shot, 0.1 * duration, 0.5).is_some(),
-            Method::Located | Method::Adaptive => match case.shot.row() {
-                Some(tied) => tied.beads == 2 && case.measure == Measure::Restitution,
-                None => case.shot.rest.is_none(),
+            Method::Single => single::impact(&matter, &case.collision, 0.1 * duration, 0.5).is_some(),
+            Method::Located | Method::Adaptive => match case.collision.row() {
+                Some(bonded) => bonded.beads == 2 && case.measure == Measure::Restitution,
+                None => case.collision.rest.is_none(),
             },
             // Bonds have no such settings.
-            Method::VerletTimed | Method::PluginTimed | Method::Stock => case.shot.row().is_none(),
+            Method::VerletTimed | Method::PluginTimed | Method::Stock => case.collision.row().is_none(),
             _ => true,
         };
         works.then_some(Runner { method, case, matter, chain, duration })
@@ -94,26 +94,32 @@ impl<'a> Runner<'a> {
     /// Runs one contact in about `n` steps, with first touch `before` steps after the start, and with the force history if asked for.
     /// For the adaptive method `n` is the inverse of its tolerance.
     pub fn run(&mut self, n: f64, before: f64, with_force: bool) -> Outcome {
-        let (shot, h) = (&self.case.shot, self.duration / n);
+        let (collision, h) = (&self.case.collision, self.duration / n);
         match self.method {
-            Method::Verlet if shot.row().is_some() => {
-                let tied = shot.row().expect("a row");
+            Method::Verlet if collision.row().is_some() => {
+                let bonded = collision.row().expect("a row");
                 let look =
                     if self.case.measure == Measure::Spin { Look::End } else { Look::Once { with_force } };
-                tied::run(&mut self.chain, shot, &tied, bonds::steps(self.case, self.duration, n), look)
+                bonded::run(
+                    &mut self.chain,
+                    collision,
+                    &bonded,
+                    bonds::steps(self.case, self.duration, n),
+                    look,
+                )
             }
-            Method::Single => single::impact(&self.matter, shot, h, before).unwrap_or_default(),
-            Method::Located => located::impact(&mut self.chain, shot, h, with_force).0,
+            Method::Single => single::impact(&self.matter, collision, h, before).unwrap_or_default(),
+            Method::Located => located::impact(&mut self.chain, collision, h, with_force).0,
             Method::Adaptive => {
                 let duration = self.duration;
                 let aim = adaptive::Aim { tolerance: 1.0 / n, duration, longest: 0.3, with_force };
-                adaptive::impact(&mut self.chain, shot, &aim).0
+                adaptive::impact(&mut self.chain, collision, &aim).0
             }
             _ => {
                 // Bodies that still touch after twenty times the expected duration count as stuck.
-                let steps = shot.rest.map_or(20.0 * n, |r| r.time / h);
-                let start = shot.start(h, before, steps as u64);
-                let mut follow = Follow::new(shot, &start, before, with_force);
+                let steps = collision.rest.map_or(20.0 * n, |r| r.time / h);
+                let start = collision.start(h, before, steps as u64);
+                let mut follow = Follow::new(collision, &start, before, with_force);
                 let mut last = start.bodies;
                 run_while(&mut self.chain, &start, |s| {
                     last = s.bodies;

@@ -6,7 +6,7 @@ mod claims;
 mod costs;
 mod curves;
 mod found;
-mod live;
+mod in_liggghts;
 mod methods;
 mod page;
 mod truth;
@@ -36,7 +36,7 @@ pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
     }
     let mut study = Study { found, per_step: Vec::new(), apart: None, trouble: Vec::new() };
     if let Ok(bench) = &options.bench {
-        live::add(bench, &mut study, phases, options.full, done);
+        in_liggghts::add(bench, &mut study, phases, options.full, done);
     }
     study
 }

@@ -339,13 +339,13 @@ fn bits(study: &Study) -> Check {
     Check { shows: Shows::Boundary, ..check("Rust laws in place of LIGGGHTS's", outcome, 0.0, reason, seen) }
 }
 
-/// Checks LIGGGHTS against our own integration of the same shots.
+/// Checks LIGGGHTS against our own integration of the same collisions.
 fn same(apart: f64) -> Check {
     let limit = 1e-6;
     let outcome = match apart <= limit {
         true => Outcome::Agreed,
         false => Outcome::Disagreed(format!(
-            "a shot in LIGGGHTS and our own integration of it differ by {apart:.1e}"
+            "a collision in LIGGGHTS and our own integration of it differ by {apart:.1e}"
         )),
     };
     let reason = "places in a large box round off by 1e-17 m, and a stick or slip that sits on its border may turn on that";
@@ -354,6 +354,6 @@ fn same(apart: f64) -> Check {
         outcome,
         limit,
         reason,
-        worst("all shots", apart, 0.0, apart, "relative to the measured quantity"),
+        worst("all collisions", apart, 0.0, apart, "relative to the measured quantity"),
     )
 }

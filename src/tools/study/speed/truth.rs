@@ -2,9 +2,9 @@
 use super::bonds;
 use super::case::{Case, Measure};
 use crate::study::adaptive::{impact, Aim};
+use crate::study::bonded::{run as run_row, whole, Look};
+use crate::study::collision::Outcome;
 use crate::study::modes::stiffness;
-use crate::study::shot::Outcome;
-use crate::study::tied::{run as run_row, whole, Look};
 use granlaw::model::Kind;
 use granlaw::pair::run;
 use std::f64::consts::PI;
@@ -42,7 +42,7 @@ impl Truth {
         }
         let solve = |tolerance, duration, longest, with_force| {
             let mut chain = case.matter.chain().expect("a sound case");
-            impact(&mut chain, &case.shot, &Aim { tolerance, duration, longest, with_force }).0
+            impact(&mut chain, &case.collision, &Aim { tolerance, duration, longest, with_force }).0
         };
         let duration = solve(1e-4, period(case), 0.1, false).duration;
         let (fine, other) =
@@ -78,24 +78,28 @@ impl Truth {
 /// The reference of a row of bonds, which has a closed form. Its error is taken to be the difference from our own solution, which is an
 /// upper bound. Single swings of two spheres are solved adaptively, all others in fine fixed steps.
 fn bonded(case: &Case, value: f64, period: f64) -> Truth {
-    let tied = case.shot.row().expect("a row");
+    let bonded = case.collision.row().expect("a row");
     let mut chain = case.matter.chain().expect("a sound case");
     let once = case.measure == Measure::Restitution;
     let dt = period / FINE;
     let fine = match once {
-        true => {
-            run_row(&mut chain, &case.shot, &tied, (dt, 3 * FINE as u64), Look::Once { with_force: true })
-        }
+        true => run_row(
+            &mut chain,
+            &case.collision,
+            &bonded,
+            (dt, 3 * FINE as u64),
+            Look::Once { with_force: true },
+        ),
         false => {
             let steps = whole(bonds::swings(case) * FINE);
             let dt = bonds::swings(case) * period / (steps - 1) as f64;
-            let o = run_row(&mut chain, &case.shot, &tied, (dt, steps), Look::End);
+            let o = run_row(&mut chain, &case.collision, &bonded, (dt, steps), Look::End);
             Outcome { duration: period, ..o }
         }
     };
-    let best = if once && tied.beads == 2 {
+    let best = if once && bonded.beads == 2 {
         let aim = Aim { tolerance: TOLERANCE, duration: fine.duration, longest: 0.01, with_force: false };
-        case.measure.of(&impact(&mut chain, &case.shot, &aim).0)
+        case.measure.of(&impact(&mut chain, &case.collision, &aim).0)
     } else {
         case.measure.of(&fine)
     };
@@ -107,11 +111,11 @@ fn rolled(case: &Case) -> Truth {
     let roll = |n: f64| {
         let mut chain = case.matter.clone().timed().chain().expect("a sound case");
         let dt = period(case) / n;
-        let time = case.shot.rest.map_or(0.0, |r| r.time);
-        let start = case.shot.start(dt, 0.0, (time / dt) as u64);
+        let time = case.collision.rest.map_or(0.0, |r| r.time);
+        let start = case.collision.start(dt, 0.0, (time / dt) as u64);
         let mut last = start.bodies;
         run(&mut chain, &start, |s| last = s.bodies);
-        case.shot.judge(&last)
+        case.collision.judge(&last)
     };
     let (fine, coarse) = (roll(FINE), roll(0.5 * FINE));
     let error = ((fine.distance - coarse.distance) / fine.distance).abs();
@@ -121,7 +125,7 @@ fn rolled(case: &Case) -> Truth {
 
 /// Half a period of the loading stiffness \[s\]: how long a contact lasts, to within a factor of two.
 pub fn period(case: &Case) -> f64 {
-    PI * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt()
+    PI * (case.collision.meff() / stiffness(&case.matter, &case.collision)).sqrt()
 }
 
 /// The closed form of the restitution, if there is one.
@@ -142,10 +146,11 @@ fn closed_form(case: &Case) -> Option<f64> {
 /// Energy balance of Luding's loop (arXiv:1503.03720), without dashpot.
 fn hysteresis(case: &Case) -> f64 {
     let value = |name| case.matter.value(name).expect("a value of the case");
-    let reff = if case.shot.wall { case.shot.radius } else { 0.5 * case.shot.radius };
+    let reff = if case.collision.wall { case.collision.radius } else { 0.5 * case.collision.radius };
     let (ratio, kc) = (value("coefficientMaxElasticStiffness"), value("coefficientAdhesionStiffness"));
     let limit = ratio / (ratio - 1.0) * value("coefficientPlasticityDepth") * 2.0 * reff;
-    let depth = case.shot.speed * (case.shot.meff() / stiffness(&case.matter, &case.shot)).sqrt();
+    let depth =
+        case.collision.speed * (case.collision.meff() / stiffness(&case.matter, &case.collision)).sqrt();
     let lost = |k2: f64| (1.0 - 1.0 / k2) + kc * k2 / (k2 + kc) * (1.0 - 1.0 / k2).powi(2);
     let square = if depth < limit {
         let k2 = 1.0 + (ratio - 1.0) * depth / limit;

@@ -2,14 +2,14 @@
 use super::plan::{values, Plan};
 use super::row::{Row, Scene};
 use crate::study::bond::{Bond, MODES};
+use crate::study::bonded_row::{BondedRow, Way};
+use crate::study::collision::{beads, Collision, Rest};
 use crate::study::matter::Matter;
-use crate::study::row::{Tied, Way};
-use crate::study::shot::{beads, Rest, Shot};
 use granlaw::model::Mode;
 use granlaw::model::{ClosePair, NamedMode, Size};
 
-const SHOT: Shot = Shot::head_on(5e-4, 2500.0, 0.1);
-/// ClosePair between surfaces when bonds begin \[m\]; no swing of these fields closes it.
+const SHOT: Collision = Collision::head_on(5e-4, 2500.0, 0.1);
+/// Gap between surfaces when bonds begin \[m\]; no swing of these fields closes it.
 const GAP: f64 = 1e-4;
 /// Number of steps for which bonds with damage are followed.
 const LONG: u64 = 3072;
@@ -27,8 +27,8 @@ fn bond(ku: f64, eta: f64, modes: &[&'static str]) -> Matter {
 
 const BOTH: [&str; 2] = ["compressionStress", "tensionStress"];
 
-fn row(beads: usize, way: Way) -> Shot {
-    Shot { slide: 1e-4, tied: Some(Tied { beads, gap: GAP, way }), ..SHOT }
+fn row(beads: usize, way: Way) -> Collision {
+    Collision { slide: 1e-4, bonded: Some(BondedRow { beads, gap: GAP, way }), ..SHOT }
 }
 
 /// Largest ω² of a row along itself, or in its only mode, over that of two bodies: `2 cos²(π/2N)` for a chain of equal linear springs with
@@ -38,8 +38,8 @@ fn chained(beads: usize) -> f64 {
 }
 
 /// The modes of two spheres of a row that meet at `speed` \[m/s\].
-fn modes(matter: &Matter, shot: &Shot, speed: f64) -> Vec<NamedMode> {
-    let all = beads(shot, &shot.tied.expect("a row"));
+fn modes(matter: &Matter, collision: &Collision, speed: f64) -> Vec<NamedMode> {
+    let all = beads(collision, &collision.bonded.expect("a row"));
     let (i, j) = (&all[0], &all[1]);
     let meff = i.mass * j.mass / (i.mass + j.mass);
     let size = ClosePair { i: *i, j: *j, meff, ..ClosePair::default() }.size();
@@ -47,21 +47,21 @@ fn modes(matter: &Matter, shot: &Shot, speed: f64) -> Vec<NamedMode> {
 }
 
 /// A row of a field. Steps are in units of the mode called `by`; theory uses the fastest mode and the length of the chain.
-fn bonded(param: f64, matter: Matter, shots: Vec<Shot>, by: &str, steps: u64) -> Row {
-    let speed = shots.iter().map(|s| s.speed).fold(f64::INFINITY, f64::min);
-    let tied = shots[0].tied.expect("a row");
-    let all = modes(&matter, &shots[0], speed);
+fn bonded(param: f64, matter: Matter, collisions: Vec<Collision>, by: &str, steps: u64) -> Row {
+    let speed = collisions.iter().map(|s| s.speed).fold(f64::INFINITY, f64::min);
+    let bonded = collisions[0].bonded.expect("a row");
+    let all = modes(&matter, &collisions[0], speed);
     let unit = all.iter().find(|s| s.name == by).expect("a mode");
     let mode = |m: &NamedMode, n: f64| Mode { stiffness: n * m.mode.stiffness, ..m.mode };
     let steps_of = |m: &NamedMode| m.mode.step();
     let fastest = all.iter().min_by(|a, b| steps_of(a).total_cmp(&steps_of(b))).expect("a mode");
-    let modes = [mode(unit, 1.0), mode(fastest, chained(tied.beads))];
-    Row::bonded(param, matter, shots, Scene::Bonded(steps), modes)
+    let modes = [mode(unit, 1.0), mode(fastest, chained(bonded.beads))];
+    Row::bonded(param, matter, collisions, Scene::Bonded(steps), modes)
 }
 
 /// Shots at `n` speeds about `speed`, so that δ = 0 is passed at many moments within a step.
-fn blows(n: usize, speed: f64, beads: usize, way: impl Fn(usize) -> Way) -> Vec<Shot> {
-    let one = |k: usize| Shot { speed: speed * (0.5 + k as f64 / n as f64), ..row(beads, way(k)) };
+fn blows(n: usize, speed: f64, beads: usize, way: impl Fn(usize) -> Way) -> Vec<Collision> {
+    let one = |k: usize| Collision { speed: speed * (0.5 + k as f64 / n as f64), ..row(beads, way(k)) };
     (0..n).map(one).collect()
 }
 
@@ -70,19 +70,21 @@ fn hanging(eta: f64, smooth: bool) -> Row {
     let straight =
         bond(1.0, eta, &["tensionStress"]).set("dampingBondSmooth", if smooth { "on" } else { "off" });
     // Bonds of a wall are as long as those of a pair of the same size.
-    let shot = Shot { wall: true, speed: 0.0, ..row(2, Way::Along) };
+    let collision = Collision { wall: true, speed: 0.0, ..row(2, Way::Along) };
     // LIGGGHTS finds no contacts further from a wall than the skin of its neighbour lists.
     let straight = straight.with("maxDistanceBondnonlinear", 2.0 * SHOT.radius + 1.5 * GAP);
-    let shot = Shot { tied: Some(Tied { gap: 0.5 * GAP, beads: 2, way: Way::Along }), ..shot };
-    let (m, gravity) = (shot.meff(), 1e3);
+    let collision =
+        Collision { bonded: Some(BondedRow { gap: 0.5 * GAP, beads: 2, way: Way::Along }), ..collision };
+    let (m, gravity) = (collision.meff(), 1e3);
     let frozen = [false; 2];
-    let size = Size { radi: shot.radius, radj: 0.0, massi: m, massj: 0.0, frozen, meff: m, is_wall: true };
+    let size =
+        Size { radi: collision.radius, radj: 0.0, massi: m, massj: 0.0, frozen, meff: m, is_wall: true };
     let swing = straight.chain().expect("a sound bond").modes((0, 0), &size, 1.0)[0];
     let mode = swing.mode;
     let sunk = m * gravity * (1.0 + eta) / swing.mode.stiffness;
     // It is pulled away from the wall.
     let rest = Some(Rest { gravity: -gravity, sunk, time: 0.0, rolls: false });
-    Row::bonded(eta, straight, vec![Shot { rest, ..shot }], Scene::Hang(200), [mode, mode])
+    Row::bonded(eta, straight, vec![Collision { rest, ..collision }], Scene::Hang(200), [mode, mode])
 }
 
 const LAW: &str = "bond/nonlinear";
@@ -148,8 +150,8 @@ pub(super) fn plans(n: usize) -> Vec<Plan> {
                 let far = SHOT.radius * (1.0 + ratio) + GAP;
                 let m = m.with("createDistanceBondnonlinear", 1.0001 * far);
                 let m = m.with("maxDistanceBondnonlinear", far + 3.0 * GAP);
-                let shots = [Way::Shear, Way::Bend].map(|way| Shot { ratio, ..row(2, way) });
-                bonded(ratio, m, shots.to_vec(), "shear", SHORT)
+                let collisions = [Way::Shear, Way::Bend].map(|way| Collision { ratio, ..row(2, way) });
+                bonded(ratio, m, collisions.to_vec(), "shear", SHORT)
             }),
         ),
         plan(
@@ -159,8 +161,8 @@ pub(super) fn plans(n: usize) -> Vec<Plan> {
             true,
             [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0].to_vec(),
             Box::new(|n| {
-                let shots = (0..3).map(|seed| row(n as usize + 1, Way::TwistAtRandom(seed)));
-                bonded(n, bond(1.0, 0.0, &MODES[3..4]), shots.collect(), "twist", SHORT)
+                let collisions = (0..3).map(|seed| row(n as usize + 1, Way::TwistAtRandom(seed)));
+                bonded(n, bond(1.0, 0.0, &MODES[3..4]), collisions.collect(), "twist", SHORT)
             }),
         ),
         plan(
@@ -170,8 +172,8 @@ pub(super) fn plans(n: usize) -> Vec<Plan> {
             true,
             [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0].to_vec(),
             Box::new(|n| {
-                let shots = blows(4, 0.3, n as usize + 1, |k| Way::AlongAtRandom(k as u64));
-                bonded(n, bond(UNLOADING, 0.0, &BOTH), shots, "tension", LONG / 2)
+                let collisions = blows(4, 0.3, n as usize + 1, |k| Way::AlongAtRandom(k as u64));
+                bonded(n, bond(UNLOADING, 0.0, &BOTH), collisions, "tension", LONG / 2)
             }),
         ),
         plan(

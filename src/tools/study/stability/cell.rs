@@ -1,5 +1,5 @@
 //! The outcome at one step and one parameter, over many phases of first touch and a few speeds.
-use crate::study::shot::Outcome;
+use crate::study::collision::Outcome;
 
 /// The class of a cell, from good to bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

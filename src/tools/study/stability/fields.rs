@@ -2,14 +2,14 @@
 use super::bonds;
 use super::plan::{values, Build, Field, Plan};
 use super::row::{Row, Scene};
+use crate::study::collision::{Collision, Rest};
 use crate::study::matter::Matter;
 use crate::study::modes::stiffness;
-use crate::study::shot::{Rest, Shot};
 use crate::study::Options;
 use granlaw::model::Kind;
 use std::f64::consts::PI;
 
-const SHOT: Shot = Shot::head_on(0.005, 2500.0, 1.0);
+const SHOT: Collision = Collision::head_on(0.005, 2500.0, 1.0);
 const GRAVITY: f64 = 9.81;
 
 fn matter(normal: &'static str, tangential: Option<&'static str>, e: f64) -> Matter {
@@ -27,31 +27,33 @@ fn matter(normal: &'static str, tangential: Option<&'static str>, e: f64) -> Mat
     Matter { laws: laws.collect(), values, settings: Vec::new() }
 }
 
-/// The shot at a few speeds about its own.
-fn about(shot: Shot) -> Vec<Shot> {
-    [0.9, 1.0, 1.1].map(|s| Shot { speed: s * shot.speed, slide: s * shot.slide, ..shot }).to_vec()
+/// The collision at a few speeds about its own.
+fn about(collision: Collision) -> Vec<Collision> {
+    [0.9, 1.0, 1.1]
+        .map(|s| Collision { speed: s * collision.speed, slide: s * collision.slide, ..collision })
+        .to_vec()
 }
 
 /// A sphere at rest on the wall that is given a small velocity.
-fn at_rest(matter: &Matter, speed: f64, slide: f64) -> Shot {
-    let shot = Shot { wall: true, speed: 0.0, ..SHOT };
-    let sunk = shot.meff() * GRAVITY / stiffness(matter, &shot);
+fn at_rest(matter: &Matter, speed: f64, slide: f64) -> Collision {
+    let collision = Collision { wall: true, speed: 0.0, ..SHOT };
+    let sunk = collision.meff() * GRAVITY / stiffness(matter, &collision);
     // It is so slow that it never leaves the wall.
     let slow = 0.1 * (GRAVITY * sunk).sqrt();
     let rest = Some(Rest { gravity: GRAVITY, sunk, time: 0.0, rolls: false });
-    Shot { speed: speed * slow, slide: slide * slow, rest, ..shot }
+    Collision { speed: speed * slow, slide: slide * slow, rest, ..collision }
 }
 
 /// A sphere that rolls to rest.
-fn rolling(matter: &Matter, mu_r: f64) -> Shot {
-    let shot = at_rest(matter, 0.0, 0.0);
+fn rolling(matter: &Matter, mu_r: f64) -> Collision {
+    let collision = at_rest(matter, 0.0, 0.0);
     let slide = 0.05;
     let time = 1.3 * 7.0 * slide / (5.0 * mu_r * GRAVITY);
-    Shot { slide, rest: shot.rest.map(|r| Rest { time, rolls: true, ..r }), ..shot }
+    Collision { slide, rest: collision.rest.map(|r| Rest { time, rolls: true, ..r }), ..collision }
 }
 
-fn impact(param: f64, matter: Matter, shot: Shot) -> Row {
-    Row::new(param, matter, about(shot), Scene::Impact)
+fn impact(param: f64, matter: Matter, collision: Collision) -> Row {
+    Row::new(param, matter, about(collision), Scene::Impact)
 }
 
 /// The fields that are asked for.
@@ -83,7 +85,7 @@ fn hysteresis(n: usize) -> Vec<Plan> {
     let law = "hooke/hysteresis";
     let base = || matter(law, None, 0.9);
     let range = (0.02, 2.0);
-    let fast = Shot { speed: 4.0, ..SHOT };
+    let fast = Collision { speed: 4.0, ..SHOT };
     vec![
         Plan {
             name: "k2max",
@@ -159,8 +161,8 @@ fn dashpots(n: usize) -> Vec<Plan> {
             "hooke",
             Box::new(|v| {
                 let m = matter("hooke", None, v);
-                let shot = at_rest(&m, 1.0, 0.0);
-                Row::new(v, m, vec![shot], Scene::RestNormal)
+                let collision = at_rest(&m, 1.0, 0.0);
+                Row::new(v, m, vec![collision], Scene::RestNormal)
             }),
         ),
         Plan {
@@ -178,7 +180,7 @@ fn dashpots(n: usize) -> Vec<Plan> {
                     .with("CriticalStokes", 10.0)
                     .set("viscous", "on")
                     .set("viscousAbs", "on");
-                impact(v, m, Shot { speed: v, ..SHOT })
+                impact(v, m, Collision { speed: v, ..SHOT })
             }),
         },
     ]
@@ -196,8 +198,8 @@ fn friction(n: usize) -> Vec<Plan> {
             range: (0.02, 2.0),
             values: values(1.0, 100.0, n, true),
             build: Box::new(move |v| {
-                let shot = Shot { ratio: v, slide: 0.8, ..SHOT };
-                Row::new(v, rough(0.9, 0.4), about(shot), Scene::Oblique)
+                let collision = Collision { ratio: v, slide: 0.8, ..SHOT };
+                Row::new(v, rough(0.9, 0.4), about(collision), Scene::Oblique)
             }),
         },
         Plan {
@@ -210,8 +212,8 @@ fn friction(n: usize) -> Vec<Plan> {
             values: values(0.1, 1.0, n, false),
             build: Box::new(move |v| {
                 let m = rough(v, 100.0);
-                let shot = at_rest(&m, 0.0, 1.0);
-                Row::new(v, m, vec![shot], Scene::RestTangential)
+                let collision = at_rest(&m, 0.0, 1.0);
+                Row::new(v, m, vec![collision], Scene::RestTangential)
             }),
         },
         Plan {
@@ -226,13 +228,13 @@ fn friction(n: usize) -> Vec<Plan> {
                 let nu = 2.0 * (1.0 - v) / (2.0 - v);
                 let m = matter("hertz", Some("history"), 0.9).with("coefficientFriction", 100.0);
                 let m = m.with("poissonsRatio", nu);
-                let shot = at_rest(&m, 0.0, 1.0);
+                let collision = at_rest(&m, 0.0, 1.0);
                 // F = 4/3 E* √R δ^1.5.
-                let press = 4.0 / 3.0 * 5e6 / (2.0 * (1.0 - nu * nu)) * shot.radius.sqrt();
-                let sunk = (shot.meff() * GRAVITY / press).powf(2.0 / 3.0);
-                let rest = shot.rest.map(|r| Rest { sunk, ..r });
+                let press = 4.0 / 3.0 * 5e6 / (2.0 * (1.0 - nu * nu)) * collision.radius.sqrt();
+                let sunk = (collision.meff() * GRAVITY / press).powf(2.0 / 3.0);
+                let rest = collision.rest.map(|r| Rest { sunk, ..r });
                 let slide = 0.1 * (GRAVITY * sunk).sqrt();
-                Row::new(v, m, vec![Shot { rest, slide, ..shot }], Scene::RestTangential)
+                Row::new(v, m, vec![Collision { rest, slide, ..collision }], Scene::RestTangential)
             }),
         },
     ]
@@ -264,8 +266,8 @@ fn rolling_laws(n: usize) -> Vec<Plan> {
         values: values(0.2, 20.0, n.min(12), true),
         build: Box::new(move |eta| {
             let m = adhesive(eta, limit);
-            let shot = rolling(&m, mu_r(eta));
-            Row::new(eta, m, vec![shot], Scene::Roll)
+            let collision = rolling(&m, mu_r(eta));
+            Row::new(eta, m, vec![collision], Scene::Roll)
         }),
     };
     vec![
@@ -279,8 +281,8 @@ fn rolling_laws(n: usize) -> Vec<Plan> {
             values: values(0.005, 0.5, n.min(12), true),
             build: Box::new(move |v| {
                 let m = base("cdt").with("coefficientRollingFriction", v);
-                let shot = rolling(&m, v);
-                Row::new(v, m, vec![shot], Scene::Roll)
+                let collision = rolling(&m, v);
+                Row::new(v, m, vec![collision], Scene::Roll)
             }),
         },
         jkr("cdt-jkr", "hooke + history + cdt_jkr: a sphere rolls to rest; what is left of its speed", "off"),

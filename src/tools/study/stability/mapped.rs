@@ -1,6 +1,6 @@
 //! The results of the study.
 use super::cell::Found;
-use super::live::Asked;
+use super::in_liggghts::Asked;
 use super::plan::Field;
 
 /// A field with its results.

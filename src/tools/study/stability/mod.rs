@@ -3,7 +3,7 @@
 mod bonds;
 mod cell;
 mod fields;
-mod live;
+mod in_liggghts;
 mod mapped;
 mod page;
 mod plan;
@@ -11,12 +11,12 @@ mod row;
 
 pub use cell::{Class, Found};
 pub use fields::{field, fields, names};
-pub use live::{agreement, ask, choose, onset, Agreement, Asked, Place};
+pub use in_liggghts::{agreement, ask, choose, onset, Agreement, Asked, Place};
 pub use mapped::{Mapped, Study};
 pub use plan::Field;
 pub use row::{Row, Scene};
 
-use super::live::Bench;
+use super::in_liggghts::Bench;
 use super::Options;
 use crate::report::page::Page;
 use rayon::iter::Either;
@@ -33,7 +33,7 @@ pub fn run(options: &Options, done: &(dyn Fn(&str) + Sync)) -> Study {
         let places: Vec<(&Row, f64)> =
             field.rows.iter().flat_map(|r| steps.iter().map(move |s| (r, *s))).collect();
         let cells = places.par_iter().map(|(row, step)| row.at(*step, phases)).collect();
-        let onset = field.rows.par_iter().map(|row| live::onset(&field, row, phases)).collect();
+        let onset = field.rows.par_iter().map(|row| in_liggghts::onset(&field, row, phases)).collect();
         done(field.name);
         study.mapped.push(Mapped { field, steps, cells, onset, asked: Vec::new() });
     }

@@ -1,6 +1,6 @@
 //! The study as a document: maps with borders, tables of limits, agreement with LIGGGHTS.
 use super::cell::Class;
-use super::live::{agreement, Agreement};
+use super::in_liggghts::{agreement, Agreement};
 use super::mapped::{Mapped, Study};
 use super::row::Scene;
 use super::Options;

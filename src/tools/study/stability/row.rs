@@ -1,10 +1,10 @@
 //! A row of a field: laws and numbers, how bodies meet, and the limits of theory.
 use super::cell::{Class, Found, CREATED};
 use crate::study::adaptive::{impact, Aim};
+use crate::study::bonded;
+use crate::study::collision::{Collision, Outcome};
 use crate::study::matter::Matter;
 use crate::study::modes::{reached, Modes};
-use crate::study::shot::{Outcome, Shot};
-use crate::study::tied;
 use granlaw::critical::{hertz, rayleigh};
 use granlaw::model::Mode;
 use granlaw::pair::run_while;
@@ -44,7 +44,7 @@ pub struct Row {
     /// Laws and numbers.
     pub matter: Matter,
     /// How bodies meet, at a few speeds.
-    pub shots: Vec<Shot>,
+    pub collisions: Vec<Collision>,
     /// What happens.
     pub scene: Scene,
     /// The stiffest normal mode that the contact reaches.
@@ -55,7 +55,7 @@ pub struct Row {
     pub warns: f64,
     /// Half a period of the loading stiffness \[s\].
     period: f64,
-    /// The true value of what is measured, for each shot; NaN if the bodies should stick.
+    /// The true value of what is measured, for each collision; NaN if the bodies should stick.
     truth: Vec<f64>,
 }
 
@@ -69,14 +69,15 @@ impl Row {
     ///
     /// # Panics
     /// If the laws refuse the numbers, which is a bug of the field.
-    pub fn new(param: f64, matter: Matter, shots: Vec<Shot>, scene: Scene) -> Row {
-        let fastest = shots.iter().copied().max_by(|a, b| a.speed.total_cmp(&b.speed)).expect("a shot");
+    pub fn new(param: f64, matter: Matter, collisions: Vec<Collision>, scene: Scene) -> Row {
+        let fastest =
+            collisions.iter().copied().max_by(|a, b| a.speed.total_cmp(&b.speed)).expect("a collision");
         let chain = || matter.chain().expect("a sound row");
         let Modes { normal, tangential, period } = reached(&mut chain(), &mut chain(), &fastest);
         let warns = warns(&matter, &fastest);
         let mut row =
-            Row { param, matter, shots, scene, normal, tangential, warns, period, truth: Vec::new() };
-        row.truth = row.shots.iter().map(|s| row.expected(s)).collect();
+            Row { param, matter, collisions, scene, normal, tangential, warns, period, truth: Vec::new() };
+        row.truth = row.collisions.iter().map(|s| row.expected(s)).collect();
         row
     }
 
@@ -84,13 +85,13 @@ impl Row {
     pub fn bonded(
         param: f64,
         matter: Matter,
-        shots: Vec<Shot>,
+        collisions: Vec<Collision>,
         scene: Scene,
         [unit, fastest]: [Mode; 2],
     ) -> Row {
-        let warns = warns(&matter, &shots[0]);
-        let (period, truth) = (PI / fastest.frequency(), vec![0.0; shots.len()]);
-        Row { param, matter, shots, scene, normal: unit, tangential: fastest, warns, period, truth }
+        let warns = warns(&matter, &collisions[0]);
+        let (period, truth) = (PI / fastest.frequency(), vec![0.0; collisions.len()]);
+        Row { param, matter, collisions, scene, normal: unit, tangential: fastest, warns, period, truth }
     }
 
     /// The unit of steps \[s\]: the critical step of the stiffest normal mode without damping, 2/ω.
@@ -108,13 +109,13 @@ impl Row {
         }
     }
 
-    fn expected(&self, shot: &Shot) -> f64 {
+    fn expected(&self, collision: &Collision) -> f64 {
         if !self.scene.meets() {
             return 0.0;
         }
         let mut chain = self.matter.chain().expect("a sound row");
         let aim = Aim { tolerance: 1e-8, duration: self.period, longest: 0.1, with_force: false };
-        let (o, _) = impact(&mut chain, shot, &aim);
+        let (o, _) = impact(&mut chain, collision, &aim);
         if o.parted {
             self.measure(&o)
         } else {
@@ -126,7 +127,7 @@ impl Row {
     pub fn length(&self, dt: f64) -> u64 {
         match self.scene {
             Scene::RestNormal | Scene::RestTangential => WATCHED,
-            Scene::Roll => self.shots[0].rest.map_or(0, |r| (r.time / dt) as u64),
+            Scene::Roll => self.collisions[0].rest.map_or(0, |r| (r.time / dt) as u64),
             Scene::Bonded(steps) => steps,
             Scene::Hang(half) => (half as f64 * self.period / dt) as u64,
             // Long enough for the slowest contact, and at least a few steps.
@@ -134,7 +135,7 @@ impl Row {
         }
     }
 
-    /// How many steps before first touch the shots of a cell begin.
+    /// How many steps before first touch the collisions of a cell begin.
     pub fn before(&self, phases: usize) -> Vec<f64> {
         match self.scene {
             Scene::Impact | Scene::Oblique => (0..phases).map(|k| (k as f64 + 0.5) / phases as f64).collect(),
@@ -142,18 +143,24 @@ impl Row {
         }
     }
 
-    /// The result of all shots in steps of `step` units.
+    /// The result of all collisions in steps of `step` units.
     pub fn at(&self, step: f64, phases: usize) -> Found {
         let dt = step * self.unit();
         let mut chain = self.matter.chain().expect("a sound row");
         let (mut outcomes, mut missed) = (Vec::new(), 0);
-        for shot in &self.shots {
-            if let Some(tied) = shot.row() {
-                outcomes.push(tied::run(&mut chain, shot, &tied, (dt, self.length(dt)), tied::Look::Energy));
+        for collision in &self.collisions {
+            if let Some(bonded) = collision.row() {
+                outcomes.push(bonded::run(
+                    &mut chain,
+                    collision,
+                    &bonded,
+                    (dt, self.length(dt)),
+                    bonded::Look::Energy,
+                ));
                 continue;
             }
             for before in self.before(phases) {
-                let start = shot.start(dt, before, self.length(dt));
+                let start = collision.start(dt, before, self.length(dt));
                 let (mut last, mut out) = (start.bodies, false);
                 run_while(&mut chain, &start, |s| {
                     last = s.bodies;
@@ -161,14 +168,14 @@ impl Row {
                     s.bodies[0].x.iter().all(|x| x.abs() < 1e6)
                 });
                 missed += usize::from(!out);
-                outcomes.push(shot.judge(&last));
+                outcomes.push(collision.judge(&last));
             }
         }
         let missed = missed as f64 / outcomes.len() as f64;
         Found { missed, ..self.judge(&outcomes, phases) }
     }
 
-    /// The same from given outcomes, shot by shot, each with all its phases.
+    /// The same from given outcomes, collision by collision, each with all its phases.
     pub fn judge(&self, outcomes: &[Outcome], phases: usize) -> Found {
         let each = self.before(phases).len();
         Found::of(outcomes, |k, o| {
@@ -210,17 +217,17 @@ impl Row {
 }
 
 /// The step beyond which LIGGGHTS's check warns \[s\].
-fn warns(matter: &Matter, shot: &Shot) -> f64 {
+fn warns(matter: &Matter, collision: &Collision) -> f64 {
     let value = |name| matter.value(name).expect("a value of the row");
     let (young, poisson) = (value("youngsModulus"), value("poissonsRatio"));
     let e_star = young / (2.0 * (1.0 - poisson * poisson));
-    let [i, j] = shot.bodies();
+    let [i, j] = collision.bodies();
     let speed = i.v.norm().max(j.v.norm());
     let of = |b: &granlaw::model::Body| {
-        let r = FRACTIONS.0 * rayleigh(b.radius, shot.density, young, poisson);
+        let r = FRACTIONS.0 * rayleigh(b.radius, collision.density, young, poisson);
         r.min(FRACTIONS.1 * hertz(b.mass, b.radius, e_star, speed))
     };
-    if shot.wall {
+    if collision.wall {
         of(&i)
     } else {
         of(&i).min(of(&j))

@@ -1,6 +1,6 @@
 //! Finds the longest step for an accuracy by trying impacts in shorter and shorter steps, at many phases of first touch.
 use crate::study::adaptive::{impact, Aim};
-use crate::study::shot::Shot;
+use crate::study::collision::Collision;
 use granlaw::chain::Chain;
 use granlaw::pair::run_while;
 
@@ -27,13 +27,13 @@ const LEAST: f64 = 1e-4;
 const CREATED: f64 = 1.01;
 
 /// The longest step \[s\] below which all that were tried are good too; `None` if none of those tried is.
-pub fn accurate(chain: &mut Chain, shot: &Shot, search: &Search) -> Option<f64> {
+pub fn accurate(chain: &mut Chain, collision: &Collision, search: &Search) -> Option<f64> {
     let aim = Aim { tolerance: 1e-8, duration: search.period, longest: 0.1, with_force: false };
-    let (exact, _) = impact(chain, shot, &aim);
+    let (exact, _) = impact(chain, collision, &aim);
     let truth = exact.parted.then_some(exact.restitution);
     let (mut dt, mut good, mut first) = (search.longest, 0, None);
     while dt >= LEAST * search.longest {
-        if error(chain, shot, dt, search.period, truth) <= search.accuracy {
+        if error(chain, collision, dt, search.period, truth) <= search.accuracy {
             good += 1;
             first = first.or(Some(dt));
         } else {
@@ -48,17 +48,17 @@ pub fn accurate(chain: &mut Chain, shot: &Shot, search: &Search) -> Option<f64> 
 }
 
 /// Mean error over the phases; infinite where energy comes from nothing.
-fn error(chain: &mut Chain, shot: &Shot, dt: f64, period: f64, truth: Option<f64>) -> f64 {
+fn error(chain: &mut Chain, collision: &Collision, dt: f64, period: f64, truth: Option<f64>) -> f64 {
     let steps = (4.0 * period / dt) as u64 + 12;
     let mut sum = 0.0;
     for phase in 0..PHASES {
-        let start = shot.start(dt, (phase as f64 + 0.5) / PHASES as f64, steps);
+        let start = collision.start(dt, (phase as f64 + 0.5) / PHASES as f64, steps);
         let mut last = start.bodies;
         run_while(chain, &start, |s| {
             last = s.bodies;
             true
         });
-        let o = shot.judge(&last);
+        let o = collision.judge(&last);
         if !o.finite || o.energy > CREATED {
             return f64::INFINITY;
         }

@@ -1,6 +1,6 @@
 //! Bonds: the modes of two bodies that a bond holds, and of many that hold each other.
 use super::limit::{Asked, Contact, Limit};
-use crate::probe::Grains;
+use crate::probe::ParticleType;
 use granlaw::chain::Chain;
 use granlaw::model::Mode;
 
@@ -9,7 +9,7 @@ pub(super) fn of(
     chain: &mut Chain,
     (who, laws): (&str, &str),
     types: [usize; 2],
-    (gi, gj): (&Grains, Option<&Grains>),
+    (gi, gj): (&ParticleType, Option<&ParticleType>),
     speed: f64,
     asked: &Asked,
 ) -> Option<Contact> {

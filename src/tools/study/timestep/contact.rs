@@ -2,9 +2,9 @@
 use super::accurate::{accurate, Search};
 use super::bond;
 use super::limit::{Asked, Contact, Limit};
-use crate::probe::{Contacts, Fastest, Grains, TypePair};
+use crate::probe::{Contacts, Fastest, ParticleType, TypePair};
+use crate::study::collision::Collision;
 use crate::study::modes::{reached, Modes};
-use crate::study::shot::Shot;
 use crate::trace::{Header, LawSpec};
 use granlaw::chain::Chain;
 use granlaw::laws::prop;
@@ -14,7 +14,7 @@ use granlaw::model::Mode;
 /// Every kind of contact of a chain for which there are particles.
 pub(super) fn of_chain(
     c: &Contacts,
-    grains: &[Grains],
+    grains: &[ParticleType],
     asked: &Asked,
     notes: &mut Vec<String>,
 ) -> Vec<Contact> {
@@ -66,7 +66,7 @@ pub(super) fn of_chain(
 }
 
 /// The largest speed at which bodies of these types can meet \[m/s\].
-fn fastest(seen: Option<&TypePair>, (gi, gj): (&Grains, Option<&Grains>)) -> f64 {
+fn fastest(seen: Option<&TypePair>, (gi, gj): (&ParticleType, Option<&ParticleType>)) -> f64 {
     let hardest = seen.and_then(|p| p.impact_speed.range()).map_or(0.0, |(_, most)| most);
     hardest.max(gi.fastest + gj.map_or(0.0, |g| g.fastest))
 }
@@ -75,28 +75,28 @@ fn one(
     c: &Contacts,
     header: &Header,
     types: [usize; 2],
-    (gi, gj): (&Grains, Option<&Grains>),
+    (gi, gj): (&ParticleType, Option<&ParticleType>),
     speed: f64,
     accuracy: f64,
 ) -> Option<Contact> {
     let seen = c.pairs.iter().find(|p| p.types == types);
     let chain = || header.chain().expect("it was made before");
     // The smallest spheres oscillate fastest, but for some laws a large partner is worse.
-    let ends = |g: Option<&Grains>| g.map_or(vec![0.0], |g| g.radius.to_vec());
+    let ends = |g: Option<&ParticleType>| g.map_or(vec![0.0], |g| g.radius.to_vec());
     let sizes = ends(Some(gi)).into_iter().flat_map(|ri| ends(gj).into_iter().map(move |rj| [ri, rj]));
-    let shots = sizes.map(|[ri, rj]| Shot {
+    let collisions = sizes.map(|[ri, rj]| Collision {
         ratio: if gj.is_some() { rj / ri } else { 1.0 },
         heavier: gj.map_or(1.0, |g| g.density[0] / gi.density[0]),
         types: (types[0] - 1, types[1] - 1),
         wall: gj.is_none(),
-        ..Shot::head_on(ri, gi.density[0], speed)
+        ..Collision::head_on(ri, gi.density[0], speed)
     });
     let centred = centred(header);
-    let looked = shots.map(|s| {
+    let looked = collisions.map(|s| {
         let modes = reached(&mut chain(), &mut chain(), &s);
         (s, modes, limit("normal", modes.normal, centred).critical)
     });
-    let (shot, modes, _) = looked.min_by(|a, b| a.2.total_cmp(&b.2))?;
+    let (collision, modes, _) = looked.min_by(|a, b| a.2.total_cmp(&b.2))?;
     let mut limits = vec![limit("normal", modes.normal, centred)];
     if modes.tangential.stiffness > 0.0 || modes.tangential.damping > 0.0 {
         limits.push(limit("tangential", modes.tangential, centred));
@@ -109,18 +109,18 @@ fn one(
         types,
         laws: names(header),
         speed,
-        radii: [shot.radius, if shot.wall { 0.0 } else { shot.radius * shot.ratio }],
-        accurate: try_out(&mut chain(), &shot, &modes, accuracy),
+        radii: [collision.radius, if collision.wall { 0.0 } else { collision.radius * collision.ratio }],
+        accurate: try_out(&mut chain(), &collision, &modes, accuracy),
         together: None,
         limits,
     })
 }
 
-fn try_out(chain: &mut Chain, shot: &Shot, modes: &Modes, accuracy: f64) -> Option<f64> {
+fn try_out(chain: &mut Chain, collision: &Collision, modes: &Modes, accuracy: f64) -> Option<f64> {
     let longest = modes.normal.step_centred();
     let search = Search { longest, period: modes.period, accuracy };
     if longest.is_finite() {
-        accurate(chain, shot, &search)
+        accurate(chain, collision, &search)
     } else {
         None
     }

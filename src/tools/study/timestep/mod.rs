@@ -10,7 +10,7 @@ pub use accurate::{accurate, Search};
 pub use limit::{Asked, Contact, Limit};
 pub use stock::Stock;
 
-use crate::probe::{Contacts, Grains, Probe};
+use crate::probe::{Contacts, ParticleType, Probe};
 use serde::Serialize;
 
 /// The answer for a deck.
@@ -23,7 +23,7 @@ pub struct Advice {
     /// How many bonds each particle is assumed to have.
     pub bonds: u32,
     /// The particles by type.
-    pub grains: Vec<Grains>,
+    pub grains: Vec<ParticleType>,
     /// Every pair of types, and every type with every wall.
     pub contacts: Vec<Contact>,
     /// LIGGGHTS's check; `None` where the deck has no elastic constants.

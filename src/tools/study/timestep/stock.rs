@@ -1,5 +1,5 @@
 //! The limits of `fix check/timestep/gran`.
-use crate::probe::{Grains, Probe};
+use crate::probe::{ParticleType, Probe};
 use granlaw::critical::{hertz, rayleigh};
 use granlaw::laws::prop;
 use serde::Serialize;
@@ -26,7 +26,7 @@ pub(super) fn of(probe: &Probe) -> Option<Stock> {
     let values = |name: &str| laws().flat_map(|l| &l.properties).find(|p| p.name == name).map(|p| &p.values);
     let (young, poisson) = (values(prop::YOUNG.name)?, values(prop::POISSON.name)?);
     let fastest = probe.grains.iter().map(|g| g.fastest).fold(0.0, f64::max);
-    let one = |g: &Grains| -> Option<Stock> {
+    let one = |g: &ParticleType| -> Option<Stock> {
         let k = usize::try_from(g.kind - 1).ok()?;
         let (e, nu, r, density) = (*young.get(k)?, *poisson.get(k)?, g.radius[0], g.density[0]);
         let mass = 4.0 / 3.0 * PI * r.powi(3) * density;

@@ -1,4 +1,4 @@
-//! Runs the same shots in LIGGGHTS, and measures the cost of a contact there, in a bed of many.
+//! Runs the same collisions in LIGGGHTS, and measures the cost of a contact there, in a bed of many.
 use super::bonds::{calls, steps};
 use super::case::{Case, Measure};
 use super::costs::quartiles;
@@ -6,9 +6,9 @@ use super::curves::{judge, phases, worth, Curve, STEPS};
 use super::found::{Found, PerStep, Study};
 use super::methods::{Method, Runner};
 use crate::report::page::Spread;
-use crate::study::live::{Bench, LiveError, Who};
+use crate::study::collision::Outcome;
+use crate::study::in_liggghts::{Bench, LiveError, Who};
 use crate::study::matter::{Matter, Names};
-use crate::study::shot::Outcome;
 use granlaw::model::Kind;
 use rayon::prelude::*;
 
@@ -71,7 +71,7 @@ pub fn add(bench: &Bench, study: &mut Study, count: usize, full: bool, done: &(d
     }
 }
 
-/// A curve, and how far LIGGGHTS is from our own integration of the same shots.
+/// A curve, and how far LIGGGHTS is from our own integration of the same collisions.
 fn curve(
     bench: &Bench,
     found: &Found,
@@ -93,14 +93,14 @@ fn curve(
         // contacts, the step is chosen so that a contact is not a whole number of steps.
         let n = n + 0.37;
         let dt = duration / n;
-        let count = if case.shot.rest.is_some() { 1 } else { count };
+        let count = if case.collision.rest.is_some() { 1 } else { count };
         let mut outcomes = Vec::new();
-        if case.shot.row().is_some() {
+        if case.collision.row().is_some() {
             // A bond begins at a step, so only the end of its swing has phases.
             let ends = if case.measure == Measure::Spin { 1 } else { ENDS };
             for (_, more) in phases(ends) {
                 let o = bench
-                    .shoot(&matter, &[case.shot], who, steps(case, duration, n + more), &[0.0])?
+                    .collide(&matter, &[case.collision], who, steps(case, duration, n + more), &[0.0])?
                     .remove(0);
                 apart = apart.max(difference(case, &o, &runner.run(n + more, 0.0, false)));
                 outcomes.push(o);
@@ -108,8 +108,8 @@ fn curve(
         } else {
             let before: Vec<f64> = phases(count).map(|(before, _)| before).collect();
             // The run goes on for three contact times after the last first touch; a contact that is not over by then is taken as it is.
-            let steps = case.shot.rest.map_or(3.0 * n, |r| r.time / dt) as u64;
-            outcomes = bench.shoot(&matter, &[case.shot], who, (dt, steps), &before)?;
+            let steps = case.collision.rest.map_or(3.0 * n, |r| r.time / dt) as u64;
+            outcomes = bench.collide(&matter, &[case.collision], who, (dt, steps), &before)?;
             for (o, b) in outcomes.iter().zip(&before) {
                 apart = apart.max(difference(case, o, &runner.run(n, *b, false)));
             }

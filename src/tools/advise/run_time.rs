@@ -3,7 +3,7 @@ use crate::probe::Probe;
 
 /// The time that the probed run took.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
+pub struct RunTime {
     /// Processor time per contact call of everything that is done in every step \[ns\].
     per_call: f64,
     /// Time that does not grow with the number of steps, over that which does. It is that of the start, and of neighbour lists,
@@ -11,9 +11,9 @@ pub struct Pace {
     fixed: f64,
 }
 
-impl Pace {
-    /// The pace of a probed run. The time for following contacts is taken out; the other costs of the probe stay in.
-    pub(super) fn of(probe: &Probe) -> Pace {
+impl RunTime {
+    /// The run_time of a probed run. The time for following contacts is taken out; the other costs of the probe stay in.
+    pub(super) fn of(probe: &Probe) -> RunTime {
         let calls: u64 = probe.chains.iter().map(|c| c.calls).sum();
         let (t, ranks) = (&probe.times, probe.ranks.max(1) as f64);
         // Processor time is not lengthened by other programs on the machine.
@@ -21,7 +21,7 @@ impl Pace {
         let lists = if probe.seconds > 0.0 { t.lists * whole / probe.seconds } else { 0.0 };
         let steps = (whole - lists - t.probe / ranks).max(0.0);
         let fixed = if steps > 0.0 { (t.start + lists) / steps } else { 0.0 };
-        Pace { per_call: 1e9 * steps * ranks / calls.max(1) as f64, fixed }
+        RunTime { per_call: 1e9 * steps * ranks / calls.max(1) as f64, fixed }
     }
 
     /// Time of another run relative to the probed one: its laws cost `is` instead of `was` \[ns per contact\], and it takes `steps`
@@ -44,14 +44,17 @@ mod tests {
         let mut probe = Probe { ranks: 1, seconds: 6.0, times, chains, ..Probe::default() };
         // The machine was busy: of 6 s only half were ours, half a second of that the probe's. So 2.25 s of steps, 0.25 s of
         // lists and half a second to start.
-        let pace = Pace::of(&probe);
-        assert!((pace.per_call - 562.5).abs() < 1e-9 && (pace.fixed - 0.75 / 2.25).abs() < 1e-12, "{pace:?}");
-        assert!((pace.relative((50.0, 50.0), 0.1) - (0.75 + 0.225) / 3.0).abs() < 1e-12);
-        assert_eq!(pace.relative((50.0, 50.0), 1.0), 1.0);
+        let run_time = RunTime::of(&probe);
+        assert!(
+            (run_time.per_call - 562.5).abs() < 1e-9 && (run_time.fixed - 0.75 / 2.25).abs() < 1e-12,
+            "{run_time:?}"
+        );
+        assert!((run_time.relative((50.0, 50.0), 0.1) - (0.75 + 0.225) / 3.0).abs() < 1e-12);
+        assert_eq!(run_time.relative((50.0, 50.0), 1.0), 1.0);
         // Laws that cost 56 ns more make each step a tenth longer.
-        assert!((pace.relative((50.0, 106.25), 1.0) - (0.75 + 2.475) / 3.0).abs() < 1e-12);
+        assert!((run_time.relative((50.0, 106.25), 1.0) - (0.75 + 2.475) / 3.0).abs() < 1e-12);
         // A probe without times: all time is taken to grow with the steps.
         probe.times = Times::default();
-        assert!((Pace::of(&probe).relative((50.0, 50.0), 0.1) - 0.1).abs() < 1e-12);
+        assert!((RunTime::of(&probe).relative((50.0, 50.0), 0.1) - 0.1).abs() < 1e-12);
     }
 }

@@ -2,16 +2,16 @@
 
 /// How many spheres a row has, and what sets them going.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tied {
+pub struct BondedRow {
     /// At least two; of unlike sizes in turn.
     pub beads: usize,
-    /// ClosePair between the surfaces when the bonds begin \[m\]: they act across it.
+    /// Gap between the surfaces when the bonds begin \[m\]: they act across it.
     pub gap: f64,
     /// How they move.
     pub way: Way,
 }
 
-/// How a row is set going. Unless it is at random, `speed` or `slide` of the shot is the velocity of one end relative to the other.
+/// How a row is set going. Unless it is at random, `speed` or `slide` of the collision is the velocity of one end relative to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
     /// In the slowest mode along the row: pressed together if `speed` is above 0, stretched if below.

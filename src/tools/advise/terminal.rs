@@ -1,12 +1,12 @@
 //! Advice as text for a terminal.
 use super::check::Check;
 use super::fresh::Fresh;
-use super::ladder::Rung;
+use super::ladder::Candidate;
 use super::lines::{number, percent};
 use super::{Advice, Found, Term};
 use std::fmt::{self, Write};
 
-/// Observation whose shares are all smaller than this are not printed; the JSON has them.
+/// Terms whose shares are all smaller than this are not printed; the JSON has them.
 const SMALL: f64 = 0.005;
 
 /// The advice and the results of its checks.
@@ -103,8 +103,8 @@ fn time(many: f64) -> String {
     }
 }
 
-/// What a rung is predicted to gain.
-pub(super) fn gain(r: &Rung) -> String {
+/// What a candidate is predicted to gain.
+pub(super) fn gain(r: &Candidate) -> String {
     r.predicted.map_or(String::new(), |p| format!("predicted to take {} of the time", percent(p)))
 }
 

@@ -1,5 +1,5 @@
-//! One contact from first touch to last: two spheres, or a sphere and a wall, shot at each other.
-use super::row::{random, Tied, Way};
+//! One contact from first touch to last: two spheres, or a sphere and a wall, collision at each other.
+use super::bonded_row::{random, BondedRow, Way};
 use granlaw::model::Body;
 use granlaw::pair::{Opened, Partner, Start, State};
 use nalgebra::Vector3;
@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// How two bodies meet. A pair meets along x, its centre of mass at rest; a wall lies at z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shot {
+pub struct Collision {
     /// Radius of i \[m\].
     pub radius: f64,
     /// Radius of j over that of i.
@@ -27,7 +27,7 @@ pub struct Shot {
     /// If set, a sphere that rests on the wall and is then given `speed` and `slide`.
     pub rest: Option<Rest>,
     /// If set, bonded spheres in a row along x, or with `rest` one sphere that hangs on the wall by a bond.
-    pub tied: Option<Tied>,
+    pub bonded: Option<BondedRow>,
 }
 
 /// A sphere that rests on the wall by its weight.
@@ -71,11 +71,11 @@ pub struct Outcome {
     pub force: Vec<(f64, f64)>,
 }
 
-impl Shot {
+impl Collision {
     /// Two equal spheres that meet head-on.
-    pub const fn head_on(radius: f64, density: f64, speed: f64) -> Shot {
+    pub const fn head_on(radius: f64, density: f64, speed: f64) -> Collision {
         let (ratio, heavier, types) = (1.0, 1.0, (0, 0));
-        Shot {
+        Collision {
             radius,
             ratio,
             density,
@@ -85,14 +85,14 @@ impl Shot {
             speed,
             slide: 0.0,
             rest: None,
-            tied: None,
+            bonded: None,
         }
     }
 
     /// The bodies, just touching; of a row, its first two at the moment when bonds begin.
     pub fn bodies(&self) -> [Body; 2] {
-        if let Some(tied) = self.row() {
-            let all = beads(self, &tied);
+        if let Some(bonded) = self.row() {
+            let all = beads(self, &bonded);
             return [all[0], all[1]];
         }
         let sphere = |tag: i64, radius: f64| Body {
@@ -103,8 +103,8 @@ impl Shot {
         };
         let (mut i, mut j) = (sphere(1, self.radius), sphere(2, self.radius * self.ratio));
         j.mass *= self.heavier;
-        if let (Some(tied), true) = (self.tied, self.wall) {
-            i.x = Vector3::z() * (i.radius + tied.gap);
+        if let (Some(bonded), true) = (self.bonded, self.wall) {
+            i.x = Vector3::z() * (i.radius + bonded.gap);
             return [i, Body::default()];
         }
         if let Some(rest) = self.rest {
@@ -145,7 +145,7 @@ impl Shot {
             false => Partner::Free,
         };
         let gravity = Vector3::z() * self.rest.map_or(0.0, |r| -r.gravity);
-        let opened = if self.tied.is_some() { Opened::Closes } else { Opened::Keeps };
+        let opened = if self.bonded.is_some() { Opened::Closes } else { Opened::Keeps };
         let types = self.types;
         Start { bodies, types, partner, dt, steps, first: 0, gravity, opened }
     }
@@ -159,14 +159,14 @@ impl Shot {
     }
 
     /// How spheres are bonded in a row, if they are.
-    pub fn row(&self) -> Option<Tied> {
-        self.tied.filter(|_| !self.wall)
+    pub fn row(&self) -> Option<BondedRow> {
+        self.bonded.filter(|_| !self.wall)
     }
 
     /// All bodies that move, at the start.
     fn begun(&self) -> Vec<Body> {
         match self.row() {
-            Some(tied) => beads(self, &tied),
+            Some(bonded) => beads(self, &bonded),
             _ => self.bodies()[..if self.wall { 1 } else { 2 }].to_vec(),
         }
     }
@@ -176,7 +176,7 @@ impl Shot {
     pub fn judge(&self, bodies: &[Body]) -> Outcome {
         let (i, j) = (&bodies[0], &bodies[bodies.len() - 1]);
         let apart = if self.wall { i.v } else { i.v - j.v }.dot(&self.normal());
-        let left = match (self.rest, self.tied) {
+        let left = match (self.rest, self.bonded) {
             (Some(r), Some(_)) => i.v.z / (r.gravity * r.sunk).abs().sqrt(),
             _ => i.v.x / self.slide,
         };
@@ -201,7 +201,7 @@ impl Shot {
         };
         let kinetic = |all: &[Body]| all.iter().map(one).sum::<f64>();
         let Some(r) = self.rest else { return kinetic(bodies) / kinetic(&self.begun()) };
-        if self.tied.is_some() {
+        if self.bonded.is_some() {
             return kinetic(bodies) / (0.5 * bodies[0].mass * (r.gravity * r.sunk).abs());
         }
         let all = |b: &[Body]| {
@@ -229,13 +229,13 @@ impl Shot {
 }
 
 /// The spheres of a row at the moment when its bonds begin; the first has the largest x.
-pub fn beads(shot: &Shot, tied: &Tied) -> Vec<Body> {
-    let n = tied.beads;
+pub fn beads(collision: &Collision, bonded: &BondedRow) -> Vec<Body> {
+    let n = bonded.beads;
     let mut all: Vec<Body> = Vec::with_capacity(n);
     for k in 0..n {
-        let radius = if k % 2 == 1 { shot.radius * shot.ratio } else { shot.radius };
-        let mass = 4.0 / 3.0 * PI * radius.powi(3) * shot.density;
-        let x = all.last().map_or(0.0, |b: &Body| b.x.x - (b.radius + tied.gap + radius));
+        let radius = if k % 2 == 1 { collision.radius * collision.ratio } else { collision.radius };
+        let mass = 4.0 / 3.0 * PI * radius.powi(3) * collision.density;
+        let x = all.last().map_or(0.0, |b: &Body| b.x.x - (b.radius + bonded.gap + radius));
         all.push(Body { tag: k as i64 + 1, radius, mass, x: Vector3::x() * x, ..Body::default() });
     }
     let total: f64 = all.iter().map(|b| b.mass).sum();
@@ -246,13 +246,13 @@ pub fn beads(shot: &Shot, tied: &Tied) -> Vec<Body> {
             _ => (PI * (k as f64 + 0.5) / n as f64).cos() / (2.0 * (PI / (2 * n) as f64).cos()),
         };
         let b = &mut all[k];
-        match tied.way {
-            Way::Along => b.v.x = -shot.speed * shape,
-            Way::Shear => b.v.y = shot.slide * shape,
-            Way::Bend => b.omega.z = shot.slide * shape / b.radius,
-            Way::Twist => b.omega.x = shot.slide * shape / b.radius,
-            Way::AlongAtRandom(seed) => b.v.x = shot.speed * random(seed, k),
-            Way::TwistAtRandom(seed) => b.omega.x = shot.slide * random(seed, k) / b.radius,
+        match bonded.way {
+            Way::Along => b.v.x = -collision.speed * shape,
+            Way::Shear => b.v.y = collision.slide * shape,
+            Way::Bend => b.omega.z = collision.slide * shape / b.radius,
+            Way::Twist => b.omega.x = collision.slide * shape / b.radius,
+            Way::AlongAtRandom(seed) => b.v.x = collision.speed * random(seed, k),
+            Way::TwistAtRandom(seed) => b.omega.x = collision.slide * random(seed, k) / b.radius,
         }
     }
     all
@@ -261,7 +261,7 @@ pub fn beads(shot: &Shot, tied: &Tied) -> Vec<Body> {
 /// Follows an integration step by step and finds when the contact is over.
 #[derive(Debug)]
 pub struct Follow<'a> {
-    shot: &'a Shot,
+    collision: &'a Collision,
     start: &'a Start,
     before: f64,
     with_force: bool,
@@ -271,16 +271,16 @@ pub struct Follow<'a> {
 
 impl<'a> Follow<'a> {
     /// Follows an integration that begins `before` steps ahead of first touch; forces are kept if asked for.
-    pub fn new(shot: &'a Shot, start: &'a Start, before: f64, with_force: bool) -> Follow<'a> {
-        Follow { shot, start, before, with_force, overlap: 0.0, seen: Outcome::default() }
+    pub fn new(collision: &'a Collision, start: &'a Start, before: f64, with_force: bool) -> Follow<'a> {
+        Follow { collision, start, before, with_force, overlap: 0.0, seen: Outcome::default() }
     }
 
     /// Takes a state. Returns whether to go on.
     pub fn step(&mut self, s: &State) -> bool {
-        if self.shot.rest.is_some() {
+        if self.collision.rest.is_some() {
             return s.bodies[0].x.x.is_finite();
         }
-        let overlap = self.shot.overlap(&s.bodies);
+        let overlap = self.collision.overlap(&s.bodies);
         let dt = self.start.dt;
         let time = dt * ((s.step - self.start.first) as f64 - self.before);
         let was = std::mem::replace(&mut self.overlap, overlap);
@@ -300,7 +300,7 @@ impl<'a> Follow<'a> {
     /// The outcome.
     pub fn end(self, bodies: &[Body]) -> Outcome {
         let Outcome { peak, duration, parted, force, .. } = self.seen;
-        Outcome { peak, duration, parted, force, ..self.shot.judge(bodies) }
+        Outcome { peak, duration, parted, force, ..self.collision.judge(bodies) }
     }
 }
 
@@ -310,16 +310,16 @@ mod tests {
 
     #[test]
     fn rows_begin_without_momentum_and_as_wide_apart_as_they_are_told() {
-        let tied = |beads, way| Tied { beads, gap: 1e-5, way };
-        let shot = Shot { ratio: 0.5, slide: 0.3, ..Shot::head_on(1e-3, 1000.0, 0.2) };
-        let two = beads(&shot, &tied(2, Way::Along));
+        let bonded = |beads, way| BondedRow { beads, gap: 1e-5, way };
+        let collision = Collision { ratio: 0.5, slide: 0.3, ..Collision::head_on(1e-3, 1000.0, 0.2) };
+        let two = beads(&collision, &bonded(2, Way::Along));
         let momentum: f64 = two.iter().map(|b| b.mass * b.v.x).sum();
         assert!(momentum.abs() < 1e-18 && (two[1].v.x - two[0].v.x - 0.2).abs() < 1e-15);
         assert!((two[0].x.x - two[1].x.x - 1.51e-3).abs() < 1e-18);
-        let many = beads(&Shot { ratio: 1.0, ..shot }, &tied(7, Way::Along));
+        let many = beads(&Collision { ratio: 1.0, ..collision }, &bonded(7, Way::Along));
         assert!((many[6].v.x - many[0].v.x - 0.2).abs() < 1e-15 && many[3].v.x.abs() < 1e-15);
-        let at_random = beads(&shot, &tied(100, Way::AlongAtRandom(3)));
+        let at_random = beads(&collision, &bonded(100, Way::AlongAtRandom(3)));
         assert!(at_random.iter().all(|b| b.v.x.abs() <= 0.2) && at_random.iter().any(|b| b.v.x > 0.1));
-        assert_ne!(at_random[0].v, beads(&shot, &tied(100, Way::AlongAtRandom(4)))[0].v);
+        assert_ne!(at_random[0].v, beads(&collision, &bonded(100, Way::AlongAtRandom(4)))[0].v);
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 /// The particles of one atom type, over all samples.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Grains {
+pub struct ParticleType {
     /// The type, from 1.
     #[serde(rename = "type")]
     pub kind: i32,
@@ -21,16 +21,16 @@ pub struct Grains {
     pub fastest: f64,
 }
 
-impl Grains {
-    fn none(kind: i32) -> Grains {
+impl ParticleType {
+    fn none(kind: i32) -> ParticleType {
         let (radius, density) = ([f64::INFINITY, 0.0], [f64::INFINITY, 0.0]);
-        Grains { kind, count: 0, radius, density, fastest: 0.0 }
+        ParticleType { kind, count: 0, radius, density, fastest: 0.0 }
     }
 
     /// The pairs of the smallest and the largest of these with the smallest and the largest of `partner`, or each with a wall if there
     /// is none. Masses are those of the lowest density.
-    pub fn sizes(&self, partner: Option<&Grains>) -> Vec<Size> {
-        let ends = |g: &Grains| g.radius.map(|r| (r, 4.0 / 3.0 * PI * r.powi(3) * g.density[0]));
+    pub fn sizes(&self, partner: Option<&ParticleType>) -> Vec<Size> {
+        let ends = |g: &ParticleType| g.radius.map(|r| (r, 4.0 / 3.0 * PI * r.powi(3) * g.density[0]));
         let wall = partner.is_none();
         let others = partner.map_or(vec![(0.0, 0.0)], |g| ends(g).to_vec());
         let pair = |(radi, massi): (f64, f64), (radj, massj): (f64, f64)| {
@@ -47,17 +47,17 @@ impl Grains {
     }
 }
 
-fn of(all: &mut Vec<Grains>, kind: i32) -> &mut Grains {
+fn of(all: &mut Vec<ParticleType>, kind: i32) -> &mut ParticleType {
     let at = all.iter().position(|g| g.kind == kind).unwrap_or(all.len());
     if at == all.len() {
-        all.push(Grains::none(kind));
+        all.push(ParticleType::none(kind));
     }
     &mut all[at]
 }
 
 /// Adds the particles of a sample.
-pub(super) fn sample(all: &mut Vec<Grains>, p: &Particles<'_>) {
-    let mut now: Vec<Grains> = Vec::new();
+pub(super) fn sample(all: &mut Vec<ParticleType>, p: &Particles<'_>) {
+    let mut now: Vec<ParticleType> = Vec::new();
     for (k, kind) in p.kind.iter().enumerate() {
         let (r, v) = (p.radius[k], &p.v[3 * k..3 * k + 3]);
         let density = p.mass[k] / (4.0 / 3.0 * PI * r.powi(3));
@@ -76,7 +76,7 @@ pub(super) fn sample(all: &mut Vec<Grains>, p: &Particles<'_>) {
 }
 
 /// Adds those of another rank.
-pub(super) fn merge(all: &mut Vec<Grains>, other: &[Grains]) {
+pub(super) fn merge(all: &mut Vec<ParticleType>, other: &[ParticleType]) {
     for g in other {
         let known = of(all, g.kind);
         known.count += g.count;

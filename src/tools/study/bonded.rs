@@ -2,16 +2,16 @@
 //!
 //! The scheme is that of [`granlaw::pair`], LIGGGHTS's velocity Verlet with its operations in its order. Bonds begin in the first
 //! step, in which nothing acts yet.
-use super::row::Tied;
-use super::shot::{beads, Outcome, Shot};
+use super::bonded_row::BondedRow;
+use super::collision::{beads, Collision, Outcome};
 use granlaw::chain::Chain;
 use granlaw::model::{Body, Call, Contact, Response};
 use granlaw::pair::{approach, Start};
 use nalgebra::Vector3;
 
 /// The spheres of a row one step of `dt` \[s\] before its bonds begin.
-pub fn ahead(shot: &Shot, tied: &Tied, dt: f64) -> Vec<Body> {
-    let mut all = beads(shot, tied);
+pub fn ahead(collision: &Collision, bonded: &BondedRow, dt: f64) -> Vec<Body> {
+    let mut all = beads(collision, bonded);
     all.iter_mut().for_each(|b| b.x -= b.v * dt);
     all
 }
@@ -91,13 +91,23 @@ pub fn every(steps: u64) -> u64 {
 }
 
 /// Integrates a row over a number of steps of `dt` \[s\].
-pub fn run(chain: &mut Chain, shot: &Shot, tied: &Tied, (dt, steps): (f64, u64), look: Look) -> Outcome {
-    let bodies = ahead(shot, tied, dt);
+pub fn run(
+    chain: &mut Chain,
+    collision: &Collision,
+    bonded: &BondedRow,
+    (dt, steps): (f64, u64),
+    look: Look,
+) -> Outcome {
+    let bodies = ahead(collision, bonded, dt);
     let n = bodies.len();
     let (histories, forces) = (vec![vec![0.0; chain.row()]; n - 1], vec![[Vector3::zeros(); 2]; n]);
-    let mut row = Row { chain, start: shot.start(dt, 0.0, steps), bodies, histories, forces, first: 0.0 };
-    let mut swing =
-        Swing { whole: length(&beads(shot, tied)), sign: shot.speed.signum(), ..Swing::default() };
+    let mut row =
+        Row { chain, start: collision.start(dt, 0.0, steps), bodies, histories, forces, first: 0.0 };
+    let mut swing = Swing {
+        whole: length(&beads(collision, bonded)),
+        sign: collision.speed.signum(),
+        ..Swing::default()
+    };
     let mut most = 1.0f64;
     row.evaluate(0, false);
     for step in 1..=steps {
@@ -106,7 +116,7 @@ pub fn run(chain: &mut Chain, shot: &Shot, tied: &Tied, (dt, steps): (f64, u64),
         row.evaluate(step as i64, true);
         row.kick(0.5 * dt);
         match look {
-            Look::Energy if step % every(steps) == 0 => most = most.max(shot.judge(&row.bodies).energy),
+            Look::Energy if step % every(steps) == 0 => most = most.max(collision.judge(&row.bodies).energy),
             Look::Once { with_force } if swing.over(&row, dt * (step - 1) as f64, dt, with_force) => break,
             _ => {}
         }
@@ -114,7 +124,7 @@ pub fn run(chain: &mut Chain, shot: &Shot, tied: &Tied, (dt, steps): (f64, u64),
             break;
         }
     }
-    let end = shot.judge(&row.bodies);
+    let end = collision.judge(&row.bodies);
     let energy = if look == Look::Energy { most } else { end.energy };
     let Outcome { peak, duration, parted, force, .. } = swing.seen;
     Outcome { peak, duration, parted, force, energy, ..end }

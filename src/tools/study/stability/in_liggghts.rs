@@ -2,7 +2,7 @@
 use super::cell::Class;
 use super::plan::Field;
 use super::row::Row;
-use crate::study::live::{Bench, LiveError, Who};
+use crate::study::in_liggghts::{Bench, LiveError, Who};
 
 /// A row and a step at which LIGGGHTS is run.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +89,8 @@ pub fn ask(bench: &Bench, field: &Field, place: Place, phases: usize) -> Result<
     let row = &field.rows[place.row];
     let (step, dt) = (place.step, place.step * row.unit());
     let who = if row.matter.needs_ours() { Who::Own } else { Who::Stock };
-    let outcomes = bench.shoot(&row.matter, &row.shots, who, (dt, row.length(dt)), &row.before(phases))?;
+    let outcomes =
+        bench.collide(&row.matter, &row.collisions, who, (dt, row.length(dt)), &row.before(phases))?;
     let ours = row.class(step, &row.at(step, phases));
     let theirs = row.class(step, &row.judge(&outcomes, phases));
     let around = (1..=10).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 / (1.0 + 0.01 * f64::from(k))]);
