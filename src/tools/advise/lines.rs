@@ -93,8 +93,7 @@ fn called(l: &LawSpec) -> String {
 }
 
 fn default(l: &LawSpec, setting: &str) -> Option<&'static str> {
-    let meta = find(l.kind()?, &l.keyword)?.meta;
-    meta.settings.iter().find(|s| s.name == setting)?.default
+    find(l.kind()?, &l.keyword)?.settings().find(|s| s.name == setting)?.default
 }
 
 /// A number in as few digits as it has.

@@ -61,7 +61,7 @@ impl Matter {
             let meta = law.meta;
             let mut settings = Settings::new(law, false);
             for (name, option) in &self.settings {
-                if meta.settings.iter().any(|s| s.name == *name) {
+                if law.settings().any(|s| s.name == *name) {
                     settings.set(name, option)?;
                 }
             }
@@ -112,7 +112,7 @@ impl Matter {
     /// The settings as words of a deck, which come after all models. Settings that only our laws have need our names.
     pub fn switches(&self, names: Names) -> String {
         let known = |name: &str| {
-            let has = |e: &Entry| e.meta.settings.iter().any(|s| s.name == name);
+            let has = |e: &Entry| e.settings().any(|s| s.name == name);
             self.entries().any(|e| has(e) && (names == Names::Own || e.support(name) != Support::OwnOnly))
         };
         let given = self.settings.iter().filter(|(name, _)| known(name));

@@ -87,13 +87,14 @@ fn laws_as_json_hold_all_that_the_laws_say_of_themselves() {
     let s = Scratch::new();
     let all: Vec<Value> = serde_json::from_str(&s.granlaw(&["laws", "--json"]).ends(0, &[]).out).unwrap();
     assert_eq!(all.len(), LAWS.len());
-    for (json, meta) in all.iter().zip(LAWS.iter().map(|e| e.meta)) {
+    for (json, law) in all.iter().zip(LAWS) {
+        let meta = law.meta;
         assert_eq!((&json["kind"], &json["stock_keyword"]), (&meta.kind.name().into(), &meta.keyword.into()));
         let names = |field: &str| -> Vec<&str> {
             json[field].as_array().unwrap().iter().map(|p| p["name"].as_str().unwrap()).collect()
         };
         assert_eq!(names("properties"), meta.props.iter().map(|p| p.name).collect::<Vec<_>>());
-        assert_eq!(names("settings"), meta.settings.iter().map(|p| p.name).collect::<Vec<_>>());
+        assert_eq!(names("settings"), law.settings().map(|s| s.name).collect::<Vec<_>>());
         assert_eq!(names("history"), meta.slots.iter().map(|p| p.name).collect::<Vec<_>>());
         assert_eq!(json["exceptions"].as_array().unwrap().len(), meta.exceptions.len());
     }

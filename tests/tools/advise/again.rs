@@ -1,4 +1,4 @@
-//! Contacts lived through again, against closed forms and against what the run made of them.
+//! Contacts simulated again, against closed forms and against what the run made of them.
 use super::made::{
     bed, friction, header, hertz, hooke, hysteresis, impact, pressed, rolling, scene, MASS, RADIUS,
 };
