@@ -6,7 +6,7 @@ use syn::{parse_macro_input, Data, DeriveInput, Error, Fields, GenericParam, Ide
 
 /// Implements `granlaw::lane::Lanes` for a struct with named fields whose first type parameter is the number:
 ///
-/// ```ignore
+/// ```text
 /// #[derive(Clone, Copy, Debug, Lanes)]
 /// pub struct Params<L = f64> {
 ///     kn: L,                     // one number per lane

@@ -75,8 +75,9 @@ impl<W: Law, L: Unit> Prepared<W, L> {
     /// The slots that are read and written three at a time, as vectors are.
     const THREES: usize = Self::SLOTS / 3 * 3;
 
+    /// `APART`: the slots do not lie behind each other. Asked once for all blocks, as a question in each costs two per cent.
     #[inline(always)]
-    fn touch_block(
+    fn touch_block<const APART: bool>(
         &self,
         p: &<W::Params as Lanes>::Of<L>,
         at: &At<'_>,
@@ -86,15 +87,16 @@ impl<W: Law, L: Unit> Prepared<W, L> {
     ) {
         let Block { surface, response } = b;
         let mut h = W::History::zero::<L>();
-        self.read(at, &mut h);
+        self.read::<APART>(at, &mut h);
         if first {
-            let mut new = Response::default();
+            // What no law of this chain hands on is left as it is: laws that read it are refused at set-up.
+            let mut new = Response { kc: response.kc, fo: response.fo, ..Response::default() };
             W::intersect::<L>(p, call, surface, &mut h, &mut new);
             *response = new;
         } else {
             W::intersect::<L>(p, call, surface, &mut h, response);
         }
-        self.keep(at, &h);
+        self.keep::<APART>(at, &h);
     }
 
     #[allow(
@@ -102,10 +104,10 @@ impl<W: Law, L: Unit> Prepared<W, L> {
         reason = "adaptors of iterators are not inlined into code for a vector unit"
     )]
     #[inline(always)]
-    fn read(&self, at: &At<'_>, h: &mut History<W, L>) {
+    fn read<const APART: bool>(&self, at: &At<'_>, h: &mut History<W, L>) {
         let columns = W::History::lanes_mut(h);
-        if let Some(places) = &self.places.apart {
-            return read_apart(places, at, columns);
+        if APART {
+            return read_apart(self.places.apart.as_deref().unwrap_or_default(), at, columns);
         }
         let place = |k: usize, c: usize| at.history[k].wrapping_add(self.places.begin + c).cast_const();
         for c in (0..Self::THREES).step_by(3) {
@@ -129,10 +131,10 @@ impl<W: Law, L: Unit> Prepared<W, L> {
         reason = "adaptors of iterators are not inlined into code for a vector unit"
     )]
     #[inline(always)]
-    fn keep(&self, at: &At<'_>, h: &History<W, L>) {
+    fn keep<const APART: bool>(&self, at: &At<'_>, h: &History<W, L>) {
         let columns = W::History::lanes(h);
-        if let Some(places) = &self.places.apart {
-            return keep_apart(places, at, columns);
+        if APART {
+            return keep_apart(self.places.apart.as_deref().unwrap_or_default(), at, columns);
         }
         let place = |k: usize, c: usize| at.history[k].wrapping_add(self.places.begin + c);
         for c in (0..Self::THREES).step_by(3) {
@@ -152,6 +154,30 @@ impl<W: Law, L: Unit> Prepared<W, L> {
                 unsafe { *place(k, c) = columns[c].lane(k) };
             }
         }
+    }
+
+    fn every_block<const APART: bool>(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) {
+        L::run(
+            #[inline(always)]
+            || match &self.params {
+                Params::Shared(p) => {
+                    chunk.each_block(
+                        #[inline(always)]
+                        |at, b| self.touch_block::<APART>(p, at, b, call, first),
+                    );
+                }
+                Params::Each(params) => chunk.each_block(
+                    #[inline(always)]
+                    |at, b| {
+                        let p = W::Params::side_by_side::<L>(
+                            #[inline(always)]
+                            |k| params[at.fit[k] as usize],
+                        );
+                        self.touch_block::<APART>(&p, at, b, call, first);
+                    },
+                ),
+            },
+        );
     }
 }
 
@@ -199,27 +225,11 @@ impl<W: Law, L: Unit> Kernel<L> for Prepared<W, L> {
     }
 
     fn surfaces_intersect(&self, chunk: &mut Chunk<L>, call: &Call, first: bool) {
-        L::run(
-            #[inline(always)]
-            || match &self.params {
-                Params::Shared(p) => {
-                    chunk.each_block(
-                        #[inline(always)]
-                        |at, b| self.touch_block(p, at, b, call, first),
-                    );
-                }
-                Params::Each(params) => chunk.each_block(
-                    #[inline(always)]
-                    |at, b| {
-                        let p = W::Params::side_by_side::<L>(
-                            #[inline(always)]
-                            |k| params[at.fit[k] as usize],
-                        );
-                        self.touch_block(&p, at, b, call, first);
-                    },
-                ),
-            },
-        );
+        if Self::SLOTS > 0 && self.places.apart.is_some() {
+            self.every_block::<true>(chunk, call, first);
+        } else {
+            self.every_block::<false>(chunk, call, first);
+        }
     }
 
     fn bytes(&self) -> usize {

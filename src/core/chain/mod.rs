@@ -30,14 +30,6 @@ pub struct ChainEffects {
     pub outputs: [[f64; ATOM_OUTPUTS]; 2],
 }
 
-impl ChainEffects {
-    fn add(&mut self, e: &Effects) {
-        for (all, own) in self.outputs.as_flattened_mut().iter_mut().zip(e.outputs.as_flattened()) {
-            *all += own;
-        }
-    }
-}
-
 /// Where the slots of laws lie whose histories follow each other from slot 0.
 pub fn packed(setups: &[Setup]) -> Vec<Vec<usize>> {
     let mut at = 0;
@@ -203,19 +195,15 @@ impl Chain {
         s: &mut Response,
         each: impl Fn(&dyn Kernel, &mut [f64], &mut Response, &mut Effects),
     ) -> ChainEffects {
-        let mut done = ChainEffects::default();
+        let (mut e, mut done) = (Effects::default(), ChainEffects::default());
         for link in &self.links {
-            let mut e = Effects::default();
+            (e.contact_flag, e.bond_event) = (ContactFlag::Leave, BondEvent::None);
             each(link.kernel.as_ref(), h, s, &mut e);
             let bit = 1 << link.meta.kind as i32;
             match e.contact_flag {
                 ContactFlag::Set => done.set |= bit,
                 ContactFlag::Clear => done.clear |= bit,
                 ContactFlag::Leave => {}
-            }
-            (done.acts, done.replaces) = (done.acts | e.acts, done.replaces | e.replaces);
-            if !link.meta.outputs.is_empty() {
-                done.add(&e);
             }
             if link.meta.bonds.is_some() {
                 done.bond_event = e.bond_event;
@@ -224,6 +212,7 @@ impl Chain {
                 }
             }
         }
+        (done.acts, done.replaces, done.outputs) = (e.acts, e.replaces, e.outputs);
         done
     }
 

@@ -328,7 +328,7 @@ pub struct Effects {
     pub acts: bool,
     /// Whether force and torques stand in place of those that LIGGGHTS's laws before this chain gave.
     pub replaces: bool,
-    /// What is added to i and to j, by [`AtomProp::place`](super::AtomProp::place).
+    /// What the laws of a chain give to i and to j, by [`AtomProp::place`](super::AtomProp::place); each adds to it.
     pub outputs: [[f64; ATOM_OUTPUTS]; 2],
 }
 

@@ -87,7 +87,8 @@ impl GapLaw for Liquid {
     }
     fn params(_: &(), _: &Size) {}
     fn interact(_: &(), _: &ClosePair, _: &mut [f64; 0], _: &mut Response, e: &mut Effects) {
-        (e.outputs[0][0], e.outputs[1][0]) = (-2.0, 2.0);
+        e.outputs[0][0] -= 2.0;
+        e.outputs[1][0] += 2.0;
     }
     fn modes(_: &(), _: &Size, _: f64) -> Vec<NamedMode> {
         Vec::new()
